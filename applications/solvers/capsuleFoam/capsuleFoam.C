@@ -1,0 +1,88 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+Application
+    capsuleFoam
+
+Description
+    Transient solver for elastic capsules and red blood cells in laminar
+    incompressible flow, by the sharp immersed interface method with different
+    viscosities inside and outside.
+
+    Each time step
+    (A) places the membranes where the step leads them, and sets up the
+        momentum equation on either side of them;
+    (B) iterates pressure, velocity, membranes and membrane stress until they
+        agree to the tolerances.
+
+    Momentum is divided by mu/mu_out on each side, so that the matrices are
+    those of one fluid; p is the scaled pressure while the equations are
+    solved, and pressure the real one, see membraneSystem.
+
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "extrapolatedFlux.H"
+#include "flowSolver.H"
+#include "membraneSystem.H"
+#include "profiling.H"
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Transient solver for elastic capsules and red blood cells in laminar"
+        " incompressible flow."
+    );
+
+    #include "postProcess.H"
+
+    #include "addCheckCaseOptions.H"
+    #include "setRootCaseLists.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+    #include "createFields.H"
+    #include "createTimeControls.H"
+    #include "CourantNo.H"
+    #include "setInitialDeltaT.H"
+
+    Info<< "\nStarting time loop\n" << endl;
+
+    while (runTime.run())
+    {
+        #include "readTimeControls.H"
+        #include "CourantNo.H"
+        #include "setDeltaT.H"
+
+        ++runTime;
+
+        Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        // (A) Membranes of the step, momentum equation
+        membranes.predict();
+        #include "UEqn.H"
+
+        // (B) Pressure, velocity, membranes and their stress
+        while (membranes.loop())
+        {
+            #include "pEqn.H"
+            membranes.correct();
+        }
+
+        pressure = p/membranes.scale();
+        runTime.write();
+        runTime.printExecutionTime(Info);
+    }
+
+    Info<< "End\n" << endl;
+
+    return 0;
+}

@@ -1,0 +1,40 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fixedPoint.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+namespace couplingMethods
+{
+    defineTypeNameAndDebug(fixedPoint, 0);
+    addToRunTimeSelectionTable(couplingMethod, fixedPoint, dictionary);
+}
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::couplingMethods::fixedPoint::fixedPoint(const dictionary& dict)
+:
+    relaxation_
+    (
+        dict.getCheckOrDefault<scalar>
+        (
+            "relaxation", 1, scalarMinMax(VSMALL, 1)
+        )
+    )
+{}

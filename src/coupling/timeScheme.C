@@ -1,0 +1,49 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "timeScheme.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::timeScheme::timeScheme
+(
+    const fvMesh& mesh,
+    const word& term,
+    const label nOld
+)
+:
+    c(0),
+    c0(0),
+    c00(0)
+{
+    const word scheme(mesh.ddtScheme(term));
+    const scalar dt = mesh.time().deltaTValue();
+
+    if (scheme == "Euler" || (scheme == "backward" && nOld < 2))
+    {
+        c = c0 = 1/dt;
+    }
+    else if (scheme == "backward")
+    {
+        const scalar dt0 = mesh.time().deltaT0Value();
+        c = (1 + dt/(dt + dt0))/dt;
+        c00 = dt/(dt0*(dt + dt0));
+        c0 = c + c00;
+    }
+    else if (scheme != "steadyState")
+    {
+        FatalErrorInFunction
+            << "Entry " << term << " of ddtSchemes in "
+            << mesh.schemesDict().name() << " is " << scheme
+            << "; permitted: Euler, backward, steadyState (not for the"
+            << " membranes)" << exit(FatalError);
+    }
+}

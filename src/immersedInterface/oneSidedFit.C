@@ -1,0 +1,178 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "oneSidedFit.H"
+#include "Pstream.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::scalar Foam::capsule::oneSidedFit::radius = 2.6;
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::capsule::nodalMatrix Foam::capsule::oneSidedFit::gather
+(
+    const nodalMatrix& local
+) const
+{
+    if (!Pstream::parRun())
+    {
+        return local;
+    }
+
+    List<scalarList> parts(Pstream::nProcs());
+    parts[Pstream::myProcNo()] = scalarList
+    (
+        UList<scalar>(const_cast<scalar*>(local.data()), local.size())
+    );
+    Pstream::gatherList(parts);
+    Pstream::scatterList(parts);
+
+    nodalMatrix all(sum(sizes_), local.cols());
+    label start = 0;
+    forAll(parts, proci)
+    {
+        if (sizes_[proci])
+        {
+            all.middleRows(start, sizes_[proci]) =
+                Eigen::Map<const nodalMatrix>
+                (
+                    parts[proci].cdata(), sizes_[proci], local.cols()
+                );
+        }
+        start += sizes_[proci];
+    }
+    return all;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::oneSidedFit::oneSidedFit(const immersedInterface& interface)
+:
+    interface_(interface),
+    sizes_(Pstream::nProcs(), Zero)
+{
+    const membraneLevelSet& distance = interface.distance();
+    const labelUList& cells = distance.cells();
+    const closedCurve& curve = distance.curve();
+    const scalar r = radius*distance.width();
+
+    sizes_[Pstream::myProcNo()] = cells.size();
+    Pstream::gatherList(sizes_);
+    Pstream::scatterList(sizes_);
+
+    nodalMatrix local(cells.size(), 2);
+    forAll(cells, i)
+    {
+        local.row(i) = distance.plane()(distance.mesh().C()[cells[i]]);
+    }
+    const nodalMatrix centres = gather(local);
+
+    stencils_.setSize(curve.size());
+    rows_.setSize(curve.size());
+    for (label node = 0; node < curve.size(); ++node)
+    {
+        DynamicList<label> near;
+        for (label i = 0; i < centres.rows(); ++i)
+        {
+            if ((centres.row(i) - curve.nodes().row(node)).norm() < r)
+            {
+                near.append(i);
+            }
+        }
+        if (near.size() < 8)
+        {
+            FatalErrorInFunction
+                << "Only " << near.size() << " cells around the membrane at "
+                << distance.plane().toPoint(curve.nodes().row(node))
+                << ": the membrane has left the mesh or touches a wall"
+                << exit(FatalError);
+        }
+
+        // Weighted least squares for 1, x, y, x2, xy, y2 in cell widths
+        nodalMatrix basis(near.size(), 6);
+        nodalScalars weight(near.size());
+        forAll(near, i)
+        {
+            const vector2 d =
+                (centres.row(near[i]) - curve.nodes().row(node))
+               /distance.width();
+            basis.row(i) <<
+                1, d(0), d(1), sqr(d(0)), d(0)*d(1), sqr(d(1));
+            weight(i) = sqr(1 - d.squaredNorm()/sqr(radius));
+        }
+        const nodalMatrix inverse =
+            (weight.asDiagonal()*basis)
+           .completeOrthogonalDecomposition().pseudoInverse();
+
+        stencils_[node] = near;
+        rows_[node] = inverse.topRows<3>()*weight.asDiagonal();
+        rows_[node].bottomRows<2>() /= distance.width();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::operator()
+(
+    const volVectorField& U,
+    const volScalarField* p
+) const
+{
+    const membraneLevelSet& distance = interface_.distance();
+    const labelUList& cells = distance.cells();
+    const label components = (p ? 3 : 2);
+
+    // Values as the inner side sees them
+    nodalMatrix local(cells.size(), components);
+    forAll(cells, i)
+    {
+        const label celli = cells[i];
+        const bool outside = (distance.side()[celli] > 0);
+
+        vector u = U[celli];
+        if (outside)
+        {
+            u -= interface_.jumpU()[celli];
+        }
+        local.block<1, 2>(i, 0) = distance.plane()(u);
+
+        if (p)
+        {
+            local(i, 2) =
+                (*p)[celli] - (outside ? interface_.jumpp()[celli] : 0);
+        }
+    }
+    const nodalMatrix values = gather(local);
+
+    const label n = stencils_.size();
+    fitted result;
+    result.value.resize(n, components);
+    result.gradient[0].resize(n, components);
+    result.gradient[1].resize(n, components);
+
+    forAll(stencils_, node)
+    {
+        const labelList& stencil = stencils_[node];
+        nodalMatrix f(stencil.size(), components);
+        forAll(stencil, i)
+        {
+            f.row(i) = values.row(stencil[i]);
+        }
+        const nodalMatrix fit = rows_[node]*f;
+        result.value.row(node) = fit.row(0);
+        result.gradient[0].row(node) = fit.row(1);
+        result.gradient[1].row(node) = fit.row(2);
+    }
+    return result;
+}

@@ -1,0 +1,178 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "closedCurve.H"
+#include "mathematicalConstants.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::closedCurve::closedCurve
+(
+    const periodicBasis& basis,
+    const nodalVectors& x
+)
+:
+    basis_(&basis),
+    x_(x),
+    coeffs_(basis.analysis()*x)
+{
+    const nodalVectors x1 = basis.derivative()*x;
+    const nodalVectors x2 = basis.derivative()*x1;
+
+    g_ = x1.rowwise().norm();
+    t_ = g_.cwiseInverse().asDiagonal()*x1;
+    n_.resize(size(), 2);
+    n_.col(0) = t_.col(1);
+    n_.col(1) = -t_.col(0);
+    kappa_ =
+    (
+        (
+            x1.col(0).array()*x2.col(1).array()
+          - x1.col(1).array()*x2.col(0).array()
+        )/g_.array().cube()
+    ).matrix();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::capsule::closedCurve::area() const
+{
+    return 0.5*integral(dot(x_, n_));
+}
+
+
+Foam::capsule::vector2 Foam::capsule::closedCurve::centroid() const
+{
+    // Divergence theorem for x^2/2 and y^2/2, about the mean of the nodes so
+    // that a curve far from the origin loses no digits
+    const vector2 origin = x_.colwise().mean();
+    const nodalVectors d = x_.rowwise() - origin;
+    const scalar a = 0.5*integral(dot(d, n_));
+
+    vector2 c;
+    for (label i = 0; i < 2; ++i)
+    {
+        c(i) = integral
+        (
+            (0.5*d.col(i).array().square()*n_.col(i).array()).matrix()
+        )/a;
+    }
+    return origin + c;
+}
+
+
+Eigen::Matrix<Foam::scalar, 3, 1>
+Foam::capsule::closedCurve::secondMoments() const
+{
+    const vector2 c = centroid();
+    const Eigen::Array<scalar, Eigen::Dynamic, 1> x = x_.col(0).array() - c(0);
+    const Eigen::Array<scalar, Eigen::Dynamic, 1> y = x_.col(1).array() - c(1);
+
+    return Eigen::Matrix<scalar, 3, 1>
+    (
+        integral((x.cube()*n_.col(0).array()/3).matrix()),
+        integral((x.square()*y*n_.col(0).array()/2).matrix()),
+        integral((y.cube()*n_.col(1).array()/3).matrix())
+    );
+}
+
+
+Foam::scalar Foam::capsule::closedCurve::taylorDeformation() const
+{
+    // Principal moments are proportional to L^3 B and L B^3: their ratio is
+    // (L/B)^2
+    const Eigen::Matrix<scalar, 3, 1> m = secondMoments();
+    const scalar mean = 0.5*(m(0) + m(2));
+    const scalar spread = std::hypot(0.5*(m(0) - m(2)), m(1));
+    const scalar ratio = std::sqrt((mean + spread)/(mean - spread));
+    return (ratio - 1)/(ratio + 1);
+}
+
+
+Foam::capsule::vector2 Foam::capsule::closedCurve::extents() const
+{
+    vector2 result;
+    for (label i = 0; i < 2; ++i)
+    {
+        // From the extreme sample to the extreme of the curve by Newton
+        // iteration on the derivative
+        const label m = 8*size();
+        const nodalVectors x = sampled(m);
+        scalar extreme[2];
+
+        for (label side = 0; side < 2; ++side)
+        {
+            Eigen::Index k;
+            side ? x.col(i).maxCoeff(&k) : x.col(i).minCoeff(&k);
+            const scalar step = constant::mathematical::twoPi/m;
+            scalar alpha = k*step;
+            for (label iter = 0; iter < 4; ++iter)
+            {
+                const scalar slope = point(alpha, 1)(i);
+                const scalar bend = point(alpha, 2)(i);
+                if ((side ? -bend : bend) <= 0)
+                {
+                    break;
+                }
+                alpha -= std::max(-step, std::min(step, slope/bend));
+            }
+            extreme[side] = point(alpha)(i);
+        }
+        result(i) = extreme[1] - extreme[0];
+    }
+    return result;
+}
+
+
+Foam::scalar Foam::capsule::closedCurve::nearest
+(
+    const vector2& x,
+    scalar alpha
+) const
+{
+    const scalar maxStep = basis_->spacing();
+
+    for (label iter = 0; iter < 20; ++iter)
+    {
+        const vector2 d = point(alpha) - x;
+        const vector2 x1 = point(alpha, 1);
+        const vector2 x2 = point(alpha, 2);
+
+        // Newton on (x(alpha) - x).x' = 0; where the distance is not convex,
+        // its Gauss-Newton part alone
+        const scalar slope = d.dot(x1);
+        const scalar gauss = x1.squaredNorm();
+        const scalar bend = gauss + d.dot(x2);
+        scalar step = slope/(bend > 0.1*gauss ? bend : gauss);
+        step = std::max(-maxStep, std::min(maxStep, step));
+        alpha -= step;
+
+        if (std::abs(step) < 1e-12)
+        {
+            break;
+        }
+    }
+    return alpha;
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::closedCurve::sampled
+(
+    const label m
+) const
+{
+    nodalVectors x(m, 2);
+    for (label i = 0; i < m; ++i)
+    {
+        x.row(i) = point(constant::mathematical::twoPi*i/m);
+    }
+    return x;
+}

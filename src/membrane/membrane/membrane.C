@@ -1,0 +1,142 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "membrane.H"
+#include "volFields.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::membrane::membrane
+(
+    const word& name,
+    const dictionary& dict,
+    const meshPlane& plane,
+    const fvMesh& mesh
+)
+:
+    name_(name),
+    plane_(plane),
+    viscosity_(dimensionedScalar("viscosity", dimPressure*dimTime, dict).value()),
+    law_(elasticLaw::New(dict.subDict("elasticLaw"))),
+    bending_(bendingModel::New(dict.subDict("bending")))
+{
+    if (!(viscosity_ > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry viscosity is " << viscosity_
+            << "; it must be positive [Pa s]" << exit(FatalIOError);
+    }
+
+    const autoPtr<membraneShape> shape
+    (
+        membraneShape::New(dict.subDict("shape"), plane)
+    );
+    const scalar width =
+        Foam::sqrt(gMin(mesh.V().field())/plane.thickness());
+    const label fitting = 2*label(0.5*shape->perimeter()/width) + 1;
+    const label n = dict.getOrDefault<label>("points", fitting);
+
+    // Fewer points do not resolve a wave, and the mesh cannot answer waves
+    // shorter than two cells
+    if (n < max(label(12), fitting/4) || n > 1.05*fitting + 2)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry points is " << n << "; for membrane " << name_
+            << " on this mesh, from " << max(label(12), fitting/4) << " to "
+            << label(1.05*fitting) + 2 << " are permitted: points closer than a cell"
+            << " width make waves that the mesh cannot answer"
+            << exit(FatalIOError);
+    }
+
+    basis_.reset(new periodicBasis(n));
+    now_.x = shape->nodes(*basis_);
+
+    const closedCurve reference(*basis_, now_.x);
+    referenceMetric_ = reference.metric();
+    referenceArea_ = reference.area();
+    bending_->setReference(reference);
+
+    now_.interface = now_.x;
+    now_.force = force(reference, reference.metric());
+    now_.inertia.setZero(n, 2);
+    now_.velocity.setZero(n, 2);
+
+    if (!readState(mesh.time()))
+    {
+        Info<< "Membrane " << name_ << ": starts as " << shape->type()
+            << ", " << n << " points, " << reference.perimeter()/n/width
+            << " cell widths apart" << endl;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::capsule::nodalVectors Foam::capsule::membrane::force
+(
+    const closedCurve& curve,
+    const nodalScalars& metric
+) const
+{
+    nodalVectors resultant = scaled(tension(curve), curve.tangent());
+    bending_->addResultant(curve, resultant);
+
+    return metric.cwiseInverse().asDiagonal()
+        *(basis_->derivative()*resultant);
+}
+
+
+Foam::capsule::nodalMatrix Foam::capsule::membrane::forceJacobian
+(
+    const closedCurve& curve
+) const
+{
+    // d(T t) = [(dT/ds/g_ref - T/g) t t + T/g I] dx'
+    const label n = size();
+    const nodalScalars t = tension(curve);
+    const nodalScalars along =
+        law_->stiffness(stretch(curve)).cwiseQuotient(referenceMetric_);
+    const nodalScalars turning = t.cwiseQuotient(curve.metric());
+    const nodalMatrix& d = basis_->derivative();
+    const nodalScalars perLength = curve.metric().cwiseInverse();
+
+    nodalMatrix result(2*n, 2*n);
+    for (label i = 0; i < 2; ++i)
+    {
+        for (label j = 0; j < 2; ++j)
+        {
+            nodalScalars m =
+            (
+                (along - turning).array()
+               *curve.tangent().col(i).array()*curve.tangent().col(j).array()
+            ).matrix();
+            if (i == j)
+            {
+                m += turning;
+            }
+            result.block(i*n, j*n, n, n) =
+                perLength.asDiagonal()*(d*(m.asDiagonal()*d));
+        }
+    }
+    bending_->addJacobian(curve, result);
+
+    return result;
+}
+
+
+void Foam::capsule::membrane::store()
+{
+    old_.setSize(min(nOld() + 1, label(2)));
+    if (nOld() == 2)
+    {
+        old_[1] = old_[0];
+    }
+    old_[0] = now_;
+}

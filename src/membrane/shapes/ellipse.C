@@ -1,0 +1,61 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "ellipse.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+namespace shapes
+{
+    defineTypeNameAndDebug(ellipse, 0);
+    addToRunTimeSelectionTable(membraneShape, ellipse, dictionary);
+}
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::shapes::ellipse::ellipse
+(
+    const dictionary& dict,
+    const meshPlane& plane
+)
+:
+    membraneShape(dict, plane),
+    semiAxes_(dict.get<Pair<scalar>>("semiAxes"))
+{
+    if (semiAxes_.first() <= 0 || semiAxes_.second() <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry semiAxes " << semiAxes_
+            << ": both must be positive [m]" << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+Foam::capsule::vector2 Foam::capsule::shapes::ellipse::local
+(
+    const scalar chi
+) const
+{
+    return vector2
+    (
+        semiAxes_.first()*std::cos(chi),
+        semiAxes_.second()*std::sin(chi)
+    );
+}
