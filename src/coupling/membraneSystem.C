@@ -13,6 +13,7 @@ License
 #include "timeScheme.H"
 #include "fvc.H"
 #include "profiling.H"
+#include "mathematicalConstants.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -98,33 +99,53 @@ void Foam::capsule::membraneSystem::setResponse(part& m) const
     const label n = 2*curve.size();
     const timeScheme scheme(mesh_, "ddt(membranes)", m.body.nOld());
 
-    m.displacement = freeSpaceResponse::velocity(curve, mu_)/scheme.c;
+    m.velocity = freeSpaceResponse::velocity(curve, mu_);
 
     nodalMatrix derivative = 0.5*(1 + m.ratio)*nodalMatrix::Identity(n, n);
-    if (method_->usesResponse())
+    if (m.ratio != 1)
     {
-        if (m.ratio != 1)
+        m.traction = freeSpaceResponse::traction(curve);
+        if (method_->usesResponse())
         {
-            derivative -= (1 - m.ratio)*freeSpaceResponse::traction(curve);
+            derivative -= (1 - m.ratio)*m.traction;
         }
-        if (method_->implicitStress())
-        {
-            derivative -= m.body.forceJacobian(curve)*m.displacement;
-        }
+    }
+    if (method_->usesResponse() && method_->implicitStress())
+    {
+        derivative -= m.body.forceJacobian(curve)*m.velocity/scheme.c;
     }
     m.balance.compute(derivative);
 }
 
 
+Foam::capsule::nodalVectors Foam::capsule::membraneSystem::resolved
+(
+    const immersedInterface& interface,
+    const nodalVectors& f
+) const
+{
+    static const scalar shortestWave(getenv("KC") ? atof(getenv("KC")) : 1.6);
+    const closedCurve& curve = interface.distance().curve();
+    const scalar cutoff =
+        shortestWave*curve.perimeter()
+       /(constant::mathematical::twoPi*interface.distance().width());
+
+    return curve.basis().lowPass(cutoff)*f;
+}
+
+
 Foam::capsule::jumpConditions Foam::capsule::membraneSystem::jumps
 (
-    const part& m,
+    const immersedInterface& interface,
     const membrane::state& s
 ) const
 {
     return jumpConditions
     (
-        closedCurve(m.body.basis(), s.interface), s.force, s.inertia, mu_
+        interface.distance().curve(),
+        resolved(interface, s.force),
+        s.inertia,
+        mu_
     );
 }
 
@@ -190,10 +211,9 @@ void Foam::capsule::membraneSystem::setSwept()
 Foam::capsule::nodalVectors Foam::capsule::membraneSystem::velocity
 (
     const closedCurve& curve,
-    const nodalMatrix& fitted
+    nodalVectors U
 ) const
 {
-    nodalVectors U = fitted.leftCols(2);
     if (conserveArea_)
     {
         const scalar flux = curve.integral(dot(U, curve.normal()));
@@ -232,7 +252,7 @@ void Foam::capsule::membraneSystem::setSources()
     sources_.clear();
     for (part& m : parts_)
     {
-        m.interface->setJumps(jumps(m, m.body.now()));
+        m.interface->setJumps(jumps(*m.interface, m.body.now()));
         m.interface->addLaplacian(mu_, sources_.momentum);
         m.interface->addGradient(sources_.gradient);
         m.interface->addFlux(sources_.flux, sources_.pressureFlux);
@@ -327,11 +347,11 @@ Foam::capsule::membraneSystem::membraneSystem
     {
         const membrane::state& now = m.body.now();
         m.interface.reset(placed(m.body, now.interface));
-        m.interface->setJumps(jumps(m, now));
+        m.interface->setJumps(jumps(*m.interface, now));
         if (m.body.nOld() > 0)
         {
             m.old[0].reset(placed(m.body, m.body.old(0).interface));
-            m.old[0]->setJumps(jumps(m, m.body.old(0)));
+            m.old[0]->setJumps(jumps(*m.old[0], m.body.old(0)));
         }
         else
         {
@@ -434,7 +454,13 @@ void Foam::capsule::membraneSystem::correct()
         // Move with the fluid
         const oneSidedFit::fitted inner =
             (*m.fit)(U_, m.ratio != 1 ? &p_ : nullptr);
-        now.velocity = velocity(curve, inner.value);
+        const nodalScalars unresolved =
+            stacked(now.force - resolved(*m.interface, now.force));
+        now.velocity = velocity
+        (
+            curve,
+            inner.value.leftCols(2) + unstacked(m.velocity*unresolved)
+        );
         now.x = scheme.c0*m.body.old(0).x + now.velocity;
         if (scheme.c00 != 0)
         {
@@ -460,7 +486,12 @@ void Foam::capsule::membraneSystem::correct()
         nodalVectors balance = F - now.force;
         if (m.ratio != 1)
         {
-            balance += (1 - m.ratio)*innerTraction(curve, inner);
+            balance +=
+                (1 - m.ratio)
+               *(
+                    innerTraction(curve, inner)
+                  + unstacked(m.traction*unresolved + 0.5*unresolved)
+                );
         }
         const nodalScalars change = m.balance.solve(stacked(balance));
         step.segment(start, change.size()) = change;
@@ -474,8 +505,8 @@ void Foam::capsule::membraneSystem::correct()
         displacement = max
         (
             displacement,
-            unstacked(m.displacement*change).rowwise().norm().maxCoeff()
-           /m.interface->distance().width()
+            unstacked(m.velocity*change).rowwise().norm().maxCoeff()
+           /(scheme.c*m.interface->distance().width())
         );
     }
 
@@ -502,8 +533,11 @@ void Foam::capsule::membraneSystem::correct()
 
 void Foam::capsule::membraneSystem::write() const
 {
-    for (const part& m : parts_)
+    if (mesh_.time().writeTime())
     {
-        m.body.write(mesh_.time());
+        for (const part& m : parts_)
+        {
+            m.body.write(mesh_.time());
+        }
     }
 }

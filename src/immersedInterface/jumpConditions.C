@@ -17,16 +17,21 @@ namespace Foam
 namespace capsule
 {
 
-//- Columns of the coefficients
+//- Columns of the coefficients: derivatives in the distance d at d = 0, and
+//  their derivatives along the curve
 enum term
 {
-    UN,             // du/dn, two components
-    UNN = 2,        // d2u/dn2, two components
-    P = 4,          // p
-    PN,             // dp/dn
-    PNN,            // d2p/dn2
-    PT,             // dp/ds
-    PNT             // d2p/dnds
+    U1 = 0,         // of u, two components each
+    U2 = 2,
+    U3 = 4,
+    P0 = 6,         // of p
+    P1,
+    P2,
+    P3,
+    S0,             // d/ds of P0, P1, P2
+    S1,
+    S2,
+    KAPPA
 };
 
 } // End namespace capsule
@@ -61,27 +66,48 @@ Foam::capsule::jumpConditions::jumpConditions
     const scalar mu
 )
 :
-    terms_(curve.size(), 9)
+    terms_(curve.size(), 14)
 {
     const nodalVectors& n = curve.normal();
     const nodalVectors& t = curve.tangent();
     const nodalScalars& kappa = curve.curvature();
+    const nodalScalars kappa2 = kappa.cwiseAbs2();
+    const auto times = [](const nodalScalars& x, const nodalScalars& y)
+    {
+        return nodalScalars(x.cwiseProduct(y));
+    };
 
-    const nodalScalars p = dot(f, n);
-    const nodalScalars p1 = curve.ds(p);
     const nodalScalars b = -dot(f, t)/mu;
     const nodalScalars b1 = curve.ds(b);
-    const nodalScalars pn = -mu*b1 - dot(m, n);
 
-    terms_.middleCols<2>(UN) = scaled(b, t);
-    terms_.middleCols<2>(UNN) =
-        scaled(-b1, n)
-      + scaled((p1 + dot(m, t))/mu - kappa.cwiseProduct(b), t);
-    terms_.col(P) = p;
-    terms_.col(PN) = pn;
-    terms_.col(PNN) = -curve.ds(p1) - kappa.cwiseProduct(pn);
-    terms_.col(PT) = p1;
-    terms_.col(PNT) = curve.ds(pn) - kappa.cwiseProduct(p1);
+    const nodalScalars p0 = dot(f, n);
+    const nodalScalars p0s = curve.ds(p0);
+    const nodalScalars p0ss = curve.ds(p0s);
+    const nodalScalars p1 = -mu*b1 - dot(m, n);
+    const nodalScalars p1s = curve.ds(p1);
+    const nodalScalars p2 = -p0ss - times(kappa, p1);
+    const nodalScalars p3 =
+        times(kappa2, p1) - times(kappa, p2) - curve.ds(p1s)
+      + 2*times(kappa, p0ss) + times(curve.ds(kappa), p0s);
+
+    const nodalVectors u1 = scaled(b, t);
+    const nodalVectors u2 =
+        scaled(-b1, n) + scaled((p0s + dot(m, t))/mu - times(kappa, b), t);
+    const nodalVectors u3 =
+        (scaled(p2, n) + scaled(p1s - times(kappa, p0s), t))/mu
+      - scaled(kappa, u2) + scaled(kappa2, u1) - curve.ds(curve.ds(u1));
+
+    terms_.middleCols<2>(U1) = u1;
+    terms_.middleCols<2>(U2) = u2;
+    terms_.middleCols<2>(U3) = u3;
+    terms_.col(P0) = p0;
+    terms_.col(P1) = p1;
+    terms_.col(P2) = p2;
+    terms_.col(P3) = p3;
+    terms_.col(S0) = p0s;
+    terms_.col(S1) = p1s;
+    terms_.col(S2) = curve.ds(p2);
+    terms_.col(KAPPA) = kappa;
 }
 
 
@@ -92,12 +118,14 @@ Foam::capsule::nodalVectors Foam::capsule::jumpConditions::velocity
     const targets& at
 ) const
 {
-    const nodalMatrix terms =
-        at.interpolation*terms_.middleCols<4>(UN);
-    const nodalScalars half = 0.5*at.distance.array().square().matrix();
+    const nodalMatrix u = at.interpolation*terms_.middleCols<6>(U1);
+    const nodalScalars& d = at.distance;
+    const nodalScalars d2 = d.cwiseAbs2()/2;
+    const nodalScalars d3 = d2.cwiseProduct(d)/3;
 
-    return scaled(at.distance, terms.leftCols(2))
-      + scaled(half, terms.rightCols(2));
+    return scaled(d, u.leftCols(2))
+      + scaled(d2, u.middleCols(2, 2))
+      + scaled(d3, u.rightCols(2));
 }
 
 
@@ -106,14 +134,13 @@ Foam::capsule::nodalScalars Foam::capsule::jumpConditions::pressure
     const targets& at
 ) const
 {
-    const nodalMatrix terms = at.interpolation*terms_.middleCols<3>(P);
-    const auto d = at.distance.array();
+    const nodalMatrix p = at.interpolation*terms_.middleCols<4>(P0);
+    const nodalScalars& d = at.distance;
+    const nodalScalars d2 = d.cwiseAbs2()/2;
+    const nodalScalars d3 = d2.cwiseProduct(d)/3;
 
-    return
-    (
-        terms.col(0).array()
-      + d*(terms.col(1).array() + 0.5*d*terms.col(2).array())
-    ).matrix();
+    return p.col(0) + d.cwiseProduct(p.col(1)) + d2.cwiseProduct(p.col(2))
+      + d3.cwiseProduct(p.col(3));
 }
 
 
@@ -122,12 +149,21 @@ Foam::capsule::nodalVectors Foam::capsule::jumpConditions::pressureGradient
     const targets& at
 ) const
 {
-    const nodalMatrix terms = at.interpolation*terms_.middleCols<4>(PN);
-    const auto d = at.distance.array();
+    const nodalMatrix p = at.interpolation*terms_.middleCols<7>(P1);
+    const nodalScalars& d = at.distance;
+    const nodalScalars d2 = d.cwiseAbs2()/2;
+
     const nodalScalars normal =
-        (terms.col(0).array() + d*terms.col(1).array()).matrix();
+        p.col(0) + d.cwiseProduct(p.col(1)) + d2.cwiseProduct(p.col(2));
+
+    // Along the parallel curve, longer by the factor 1 + kappa d
     const nodalScalars along =
-        (terms.col(2).array() + d*terms.col(3).array()).matrix();
+    (
+        p.col(3) + d.cwiseProduct(p.col(4)) + d2.cwiseProduct(p.col(5))
+    ).cwiseQuotient
+    (
+        nodalScalars::Ones(d.size()) + p.col(6).cwiseProduct(d)
+    );
 
     nodalVectors t(at.normal.rows(), 2);
     t.col(0) = -at.normal.col(1);

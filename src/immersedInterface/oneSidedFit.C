@@ -89,7 +89,7 @@ Foam::capsule::oneSidedFit::oneSidedFit(const immersedInterface& interface)
                 near.append(i);
             }
         }
-        if (near.size() < 8)
+        if (near.size() < 12)
         {
             FatalErrorInFunction
                 << "Only " << near.size() << " cells around the membrane at "
@@ -98,8 +98,8 @@ Foam::capsule::oneSidedFit::oneSidedFit(const immersedInterface& interface)
                 << exit(FatalError);
         }
 
-        // Weighted least squares for 1, x, y, x2, xy, y2 in cell widths
-        nodalMatrix basis(near.size(), 6);
+        // Weighted least squares for the cubic polynomials in cell widths
+        nodalMatrix basis(near.size(), 10);
         nodalScalars weight(near.size());
         forAll(near, i)
         {
@@ -107,7 +107,8 @@ Foam::capsule::oneSidedFit::oneSidedFit(const immersedInterface& interface)
                 (centres.row(near[i]) - curve.nodes().row(node))
                /distance.width();
             basis.row(i) <<
-                1, d(0), d(1), sqr(d(0)), d(0)*d(1), sqr(d(1));
+                1, d(0), d(1), sqr(d(0)), d(0)*d(1), sqr(d(1)),
+                pow3(d(0)), sqr(d(0))*d(1), d(0)*sqr(d(1)), pow3(d(1));
             weight(i) = sqr(1 - d.squaredNorm()/sqr(radius));
         }
         const nodalMatrix inverse =

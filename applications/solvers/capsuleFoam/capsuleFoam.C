@@ -79,6 +79,7 @@ int main(int argc, char *argv[])
 
         pressure = p/membranes.scale();
         runTime.write();
+        membranes.write();
         runTime.printExecutionTime(Info);
     }
 

@@ -98,21 +98,16 @@ Foam::capsule::nodalMatrix Foam::capsule::periodicBasis::evaluation
 
 Foam::capsule::nodalMatrix Foam::capsule::periodicBasis::lowPass
 (
-    const label maxWave
+    const scalar cutoff
 ) const
 {
-    nodalScalars nodes(n_);
-    nodalScalars keep(n_);
-    for (label j = 0; j < n_; ++j)
-    {
-        nodes(j) = alpha(j);
-        keep(j) = ((j + 1)/2 <= maxWave ? 1 : 0);
-    }
-
     nodalMatrix f(n_, n_);
+    nodalScalars factors(n_);
     for (label j = 0; j < n_; ++j)
     {
-        f.row(j) = functions(nodes(j)).transpose();
+        const label wave = (j + 1)/2;
+        f.row(j) = functions(alpha(j)).transpose();
+        factors(j) = std::exp(-pow4(wave/cutoff));
     }
-    return f*keep.asDiagonal()*analysis_;
+    return f*factors.asDiagonal()*analysis_;
 }

@@ -45,7 +45,7 @@ Foam::capsule::membrane::membrane
 
     // Fewer points do not resolve a wave, and the mesh cannot answer waves
     // shorter than two cells
-    if (n < max(label(12), fitting/4) || n > 1.05*fitting + 2)
+    if (n < max(label(12), fitting/4) || n > 4*fitting + 2)
     {
         FatalIOErrorInFunction(dict)
             << "Entry points is " << n << "; for membrane " << name_
