@@ -102,6 +102,7 @@ capsule_environment()
     fi
     capsule_check || return 1
     # Where wmake puts the products; OpenFOAM's module scripts set these
+    export CAPSULE_SRC=$(cd "$(dirname "${BASH_SOURCE[0]}")/../src" && pwd)
     export FOAM_MODULE_APPBIN=${FOAM_MODULE_APPBIN:-$FOAM_USER_APPBIN}
     export FOAM_MODULE_LIBBIN=${FOAM_MODULE_LIBBIN:-$FOAM_USER_LIBBIN}
 }

@@ -43,6 +43,11 @@ static scalar rms(const nodalVectors& v)
 } // End namespace Foam
 
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::scalar Foam::capsule::membraneSystem::resolvedWave_ = (getenv("KC") ? atof(getenv("KC")) : 1.6);
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::capsule::membraneSystem::part::part
@@ -99,6 +104,7 @@ void Foam::capsule::membraneSystem::setResponse(part& m) const
     const label n = 2*curve.size();
     const timeScheme scheme(mesh_, "ddt(membranes)", m.body.nOld());
 
+    m.resolving = resolving(curve, m.interface->distance().width());
     m.velocity = freeSpaceResponse::velocity(curve, mu_);
 
     nodalMatrix derivative = 0.5*(1 + m.ratio)*nodalMatrix::Identity(n, n);
@@ -118,19 +124,17 @@ void Foam::capsule::membraneSystem::setResponse(part& m) const
 }
 
 
-Foam::capsule::nodalVectors Foam::capsule::membraneSystem::resolved
+Foam::capsule::nodalMatrix Foam::capsule::membraneSystem::resolving
 (
-    const immersedInterface& interface,
-    const nodalVectors& f
-) const
+    const closedCurve& curve,
+    const scalar width
+)
 {
-    static const scalar shortestWave(getenv("KC") ? atof(getenv("KC")) : 1.6);
-    const closedCurve& curve = interface.distance().curve();
-    const scalar cutoff =
-        shortestWave*curve.perimeter()
-       /(constant::mathematical::twoPi*interface.distance().width());
-
-    return curve.basis().lowPass(cutoff)*f;
+    return curve.basis().lowPass
+    (
+        resolvedWave_*curve.perimeter()
+       /(constant::mathematical::twoPi*width)
+    );
 }
 
 
@@ -140,10 +144,12 @@ Foam::capsule::jumpConditions Foam::capsule::membraneSystem::jumps
     const membrane::state& s
 ) const
 {
+    const closedCurve& curve = interface.distance().curve();
+
     return jumpConditions
     (
-        interface.distance().curve(),
-        resolved(interface, s.force),
+        curve,
+        resolving(curve, interface.distance().width())*s.force,
         s.inertia,
         mu_
     );
@@ -252,7 +258,17 @@ void Foam::capsule::membraneSystem::setSources()
     sources_.clear();
     for (part& m : parts_)
     {
-        m.interface->setJumps(jumps(*m.interface, m.body.now()));
+        const membrane::state& now = m.body.now();
+        m.interface->setJumps
+        (
+            jumpConditions
+            (
+                m.interface->distance().curve(),
+                m.resolving*now.force,
+                now.inertia,
+                mu_
+            )
+        );
         m.interface->addLaplacian(mu_, sources_.momentum);
         m.interface->addGradient(sources_.gradient);
         m.interface->addFlux(sources_.flux, sources_.pressureFlux);
@@ -375,7 +391,9 @@ void Foam::capsule::membraneSystem::predict()
     {
         membrane& body = m.body;
         body.store();
-        const nodalVectors nodes = predicted(m);
+        const closedCurve ahead(body.basis(), predicted(m));
+        const nodalVectors nodes =
+            resolving(ahead, m.interface->distance().width())*ahead.nodes();
 
         m.old[1].reset(m.old[0].release());
         m.old[0].reset(m.interface.release());
@@ -455,7 +473,7 @@ void Foam::capsule::membraneSystem::correct()
         const oneSidedFit::fitted inner =
             (*m.fit)(U_, m.ratio != 1 ? &p_ : nullptr);
         const nodalScalars unresolved =
-            stacked(now.force - resolved(*m.interface, now.force));
+            stacked(now.force - m.resolving*now.force);
         now.velocity = velocity
         (
             curve,

@@ -13,7 +13,7 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-const Foam::scalar Foam::capsule::oneSidedFit::radius = 2.6;
+const Foam::scalar Foam::capsule::oneSidedFit::radius = 3.1;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //

@@ -107,7 +107,7 @@ Foam::capsule::nodalMatrix Foam::capsule::periodicBasis::lowPass
     {
         const label wave = (j + 1)/2;
         f.row(j) = functions(alpha(j)).transpose();
-        factors(j) = std::exp(-pow4(wave/cutoff));
+        factors(j) = std::exp(-sqr(pow4(wave/cutoff)));
     }
     return f*factors.asDiagonal()*analysis_;
 }

@@ -1,0 +1,188 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "membraneMeasures.H"
+#include "membraneSystem.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(membraneMeasures, 0);
+    addToRunTimeSelectionTable(functionObject, membraneMeasures, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+const Foam::capsule::membraneSystem&
+Foam::functionObjects::membraneMeasures::membranes() const
+{
+    return mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
+}
+
+
+void Foam::functionObjects::membraneMeasures::writeMeasures
+(
+    const capsule::membrane& m,
+    Ostream& os
+) const
+{
+    using capsule::nodalScalars;
+    using capsule::vector2;
+
+    const capsule::closedCurve curve = m.curve();
+    const scalar area = curve.area();
+    const vector2 c = curve.centroid();
+    const vector2 extents = curve.extents();
+    const nodalScalars stretch = m.stretch(curve);
+
+    // Mean velocity of the enclosed area by the divergence theorem
+    const nodalScalars un = capsule::dot(m.now().velocity, curve.normal());
+    const capsule::nodalVectors x = curve.nodes().rowwise() - c;
+    const scalar U = curve.integral(x.col(0).cwiseProduct(un))/area;
+    const scalar V = curve.integral(x.col(1).cwiseProduct(un))/area;
+
+    os  << mesh_.time().timeOutputValue()
+        << tab << c(0) << tab << c(1) << tab << U << tab << V
+        << tab << area << tab << curve.perimeter()
+        << tab << extents(0) << tab << extents(1)
+        << tab << stretch.minCoeff() << tab << stretch.maxCoeff()
+        << tab << curve.taylorDeformation() << endl;
+}
+
+
+void Foam::functionObjects::membraneMeasures::writeLine
+(
+    const capsule::membrane& m
+) const
+{
+    const capsule::membraneSystem& system = membranes();
+    const capsule::closedCurve curve = m.curve();
+    const label n = curve.size();
+    const pointField x(system.plane().toPoints(curve.nodes()));
+    const vectorField U(system.plane().toVectors(m.now().velocity));
+    const capsule::nodalScalars stretch = m.stretch(curve);
+    const capsule::nodalScalars tension = m.tension(curve);
+
+    const fileName dir(baseTimeDir());
+    mkDir(dir);
+    OFstream os(dir/m.name() + ".vtk");
+
+    os  << "# vtk DataFile Version 2.0" << nl << m.name() << nl
+        << "ASCII" << nl << "DATASET POLYDATA" << nl
+        << "POINTS " << n << " float" << nl;
+    for (const point& p : x)
+    {
+        os  << p.x() << ' ' << p.y() << ' ' << p.z() << nl;
+    }
+    os  << "LINES 1 " << n + 2 << nl << n + 1;
+    for (label i = 0; i <= n; ++i)
+    {
+        os  << ' ' << i % n;
+    }
+    os  << nl << "POINT_DATA " << n << nl << "VECTORS velocity float" << nl;
+    for (const vector& u : U)
+    {
+        os  << u.x() << ' ' << u.y() << ' ' << u.z() << nl;
+    }
+    os  << "SCALARS stretch float 1" << nl << "LOOKUP_TABLE default" << nl;
+    for (label i = 0; i < n; ++i)
+    {
+        os  << stretch(i) << nl;
+    }
+    os  << "SCALARS tension float 1" << nl << "LOOKUP_TABLE default" << nl;
+    for (label i = 0; i < n; ++i)
+    {
+        os  << tension(i) << nl;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::membraneMeasures::membraneMeasures
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    writeFile(mesh_, name),
+    lines_(false)
+{
+    read(dict);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::membraneMeasures::read(const dictionary& dict)
+{
+    lines_ = dict.getOrDefault<bool>("lines", false);
+    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
+}
+
+
+bool Foam::functionObjects::membraneMeasures::execute()
+{
+    return true;
+}
+
+
+bool Foam::functionObjects::membraneMeasures::write()
+{
+    const capsule::membraneSystem& system = membranes();
+
+    if (!Pstream::master())
+    {
+        return true;
+    }
+
+    if (files_.empty())
+    {
+        files_.setSize(system.size());
+        forAll(files_, i)
+        {
+            files_.set(i, createFile(system[i].name()));
+            files_[i].precision(12);
+            writeHeader(files_[i], "Membrane " + system[i].name());
+            writeCommented(files_[i], "Time");
+            for
+            (
+                const char* column :
+                {
+                    "x", "y", "U", "V", "area", "perimeter",
+                    "lengthX", "lengthY", "minStretch", "maxStretch",
+                    "taylorDeformation"
+                }
+            )
+            {
+                writeTabbed(files_[i], column);
+            }
+            files_[i] << endl;
+        }
+    }
+
+    forAll(files_, i)
+    {
+        writeMeasures(system[i], files_[i]);
+        if (lines_)
+        {
+            writeLine(system[i]);
+        }
+    }
+    return true;
+}

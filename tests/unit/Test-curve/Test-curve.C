@@ -1,0 +1,163 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+Application
+    Test-curve
+
+Description
+    Unit tests of curve geometry, shapes, elastic laws, membrane forces and
+    free-space responses against exact values. Returns the number of failures.
+
+\*---------------------------------------------------------------------------*/
+
+#include "closedCurve.H"
+#include "elasticLaw.H"
+#include "freeSpaceResponse.H"
+#include "mathematicalConstants.H"
+#include "IOstreams.H"
+#include "IStringStream.H"
+
+using namespace Foam;
+using namespace Foam::capsule;
+using Foam::constant::mathematical::pi;
+
+static label failed = 0;
+
+static void check(const char* what, const scalar value, const scalar bound)
+{
+    const bool ok = (mag(value) <= bound);
+    Info<< (ok ? "PASS " : "FAIL ") << what << ": " << value << " (bound "
+        << bound << ")" << endl;
+    failed += !ok;
+}
+
+static nodalVectors ellipse
+(
+    const periodicBasis& basis,
+    const scalar a,
+    const scalar b
+)
+{
+    nodalVectors x(basis.size(), 2);
+    for (label i = 0; i < basis.size(); ++i)
+    {
+        x.row(i) << 3 + a*std::cos(basis.alpha(i)), b*std::sin(basis.alpha(i));
+    }
+    return x;
+}
+
+int main()
+{
+    // Geometry of an ellipse; perimeter 4 a E(e) for a = 2, b = 1
+    const scalar perimeter = 9.688448220547675;
+    scalar last = 0;
+    for (const label n : {16, 17, 32, 33})
+    {
+        const periodicBasis basis(n);
+        const closedCurve curve(basis, ellipse(basis, 2, 1));
+        const scalar error = mag(curve.perimeter() - perimeter);
+        check("area of an ellipse", curve.area() - 2*pi, 1e-12);
+        check("centroid", curve.centroid()(0) - 3, 1e-12);
+        check("extent", curve.extents()(0) - 4, 1e-10);
+        check("Taylor deformation", curve.taylorDeformation() - 1.0/3, 1e-10);
+        check("curvature at the tip", curve.curvature()(0) - 2, 1e-10);
+        if (n == 33)
+        {
+            check("perimeter, 33 points", error, 1e-7);
+            check("perimeter converges faster than any power", error, 1e-3*last);
+        }
+        if (n == 17)
+        {
+            last = error;
+        }
+    }
+
+    const periodicBasis basis(41);
+    const closedCurve curve(basis, ellipse(basis, 2, 1));
+
+    // Nearest point: from a point on the normal at a known parameter
+    for (const scalar alpha : {0.3, 1.5, 4.0})
+    {
+        const vector2 n = turned(curve.point(alpha, 1)).normalized();
+        for (const scalar d : {-0.3, 0.2, 1.0})
+        {
+            const vector2 x = curve.point(alpha) + d*n;
+            check("foot point", curve.nearest(x, alpha + 0.2) - alpha, 1e-9);
+        }
+    }
+
+    // Elastic laws: tension and its derivative by central differences
+    for (const char* text :
+        {
+            "type neoHookean; shearModulus 3;",
+            "type surfaceTension; surfaceTension 3;"
+        })
+    {
+        IStringStream is(text);
+        const autoPtr<elasticLaw> law(elasticLaw::New(dictionary(is)));
+        const nodalScalars s = nodalScalars::LinSpaced(5, 0.8, 1.6);
+        const nodalScalars e = nodalScalars::Constant(5, 1e-5);
+        const nodalScalars slope =
+            (law->tension(s + e) - law->tension(s - e))/2e-5;
+        check
+        (
+            "stiffness is the derivative of the tension",
+            (slope - law->stiffness(s)).cwiseAbs().maxCoeff(), 1e-8
+        );
+    }
+
+    // Constant tension on a circle: F = -T/R n
+    {
+        const closedCurve circle(basis, ellipse(basis, 0.5, 0.5));
+        const nodalVectors F = circle.ds(circle.tangent());
+        check
+        (
+            "force on a circle of constant tension",
+            (F + 2*circle.normal()).cwiseAbs().maxCoeff(), 1e-10
+        );
+    }
+
+    // A normal force cos(m theta) on a circle of radius R in one viscosity
+    // moves it by R m/(4 mu (m^2 - 1)) cos(m theta) n (plus a part along t)
+    const closedCurve circle(basis, ellipse(basis, 2, 2));
+    const nodalMatrix S = freeSpaceResponse::velocity(circle, 0.5);
+    const nodalMatrix K = freeSpaceResponse::traction(circle);
+    for (const label m : {2, 3, 7})
+    {
+        nodalScalars c(basis.size());
+        for (label i = 0; i < basis.size(); ++i)
+        {
+            c(i) = std::cos(m*basis.alpha(i));
+        }
+        const nodalVectors f = scaled(c, circle.normal());
+        const nodalScalars fs = Eigen::Map<const nodalScalars>(f.data(), f.size());
+        const nodalScalars us = S*fs;
+        const nodalVectors u =
+            Eigen::Map<const nodalVectors>(us.data(), f.rows(), 2);
+        check
+        (
+            "free-space velocity of a mode",
+            (
+                dot(u, circle.normal()) - 2*m/(4*0.5*(m*m - 1.0))*c
+            ).cwiseAbs().maxCoeff(), 1e-10
+        );
+    }
+
+    // A uniform pressure has no traction outside: K n = n/2
+    {
+        const nodalVectors& n = circle.normal();
+        const nodalScalars ns = Eigen::Map<const nodalScalars>(n.data(), n.size());
+        check
+        (
+            "free-space traction of a uniform pressure",
+            (K*ns - 0.5*ns).cwiseAbs().maxCoeff(), 1e-10
+        );
+    }
+
+    return failed;
+}

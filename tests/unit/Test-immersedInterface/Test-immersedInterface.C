@@ -1,0 +1,193 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+Application
+    Test-immersedInterface
+
+Description
+    Force modes on a circle of radius 1 in Stokes flow of one viscosity,
+    F = cos(m theta) n + 0.5 sin(m theta) t: level set, jumps and corrected
+    operators against the exact solution. Writes one line of error norms
+    (velocity max, pressure max and L2, largest flux imbalance of a cell, level
+    set max), for a script to judge the order.
+
+    Exact: stream functions psi = (A r^m + B r^(m+2)) sin m theta inside and
+    (C r^-m + E r^(2-m)) sin m theta outside.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "flowSolver.H"
+#include "immersedInterface.H"
+#include "oneSidedFit.H"
+
+using namespace Foam;
+using namespace Foam::capsule;
+
+//- Exact solution of one mode, mu = 1, R = 1
+struct modeFlow
+{
+    label m;
+    Eigen::Vector4d c;
+
+    modeFlow(const label mode, const scalar fn, const scalar ft)
+    :
+        m(mode)
+    {
+        const scalar a = m;
+        const scalar e[4] = {a, a + 2, -a, 2 - a};
+        const scalar p[4] = {0, 4*(a + 1), 0, 4*(a - 1)};
+        Eigen::Matrix4d M;
+        for (label i = 0; i < 4; ++i)
+        {
+            // At r = 1: u_r = m, u_t = -e, du_r/dr = m (e - 1),
+            // du_t/dr = -e (e - 1)
+            const scalar side = (i < 2 ? -1 : 1);
+            M(0, i) = side*a;
+            M(1, i) = -side*e[i];
+            M(2, i) = side*(-p[i] + 2*a*(e[i] - 1));
+            M(3, i) = side*(-e[i]*(e[i] - 1) + e[i] - a*a);
+        }
+        c = M.partialPivLu().solve(Eigen::Vector4d(0, 0, -fn, -ft));
+    }
+
+    void at(const vector2& x, vector2& u, scalar& p) const
+    {
+        const scalar r = x.norm();
+        const scalar th = std::atan2(x(1), x(0));
+        const scalar a = m;
+        const bool in = (r < 1);
+        const scalar e0 = in ? a : -a;
+        const scalar e1 = in ? a + 2 : 2 - a;
+        const scalar c0 = in ? c(0) : c(2);
+        const scalar c1 = in ? c(1) : c(3);
+        const scalar psi = c0*std::pow(r, e0) + c1*std::pow(r, e1);
+        const scalar dpsi =
+            c0*e0*std::pow(r, e0 - 1) + c1*e1*std::pow(r, e1 - 1);
+        const scalar ur = a*psi/r*std::cos(a*th);
+        const scalar ut = -dpsi*std::sin(a*th);
+        u << ur*std::cos(th) - ut*std::sin(th),
+             ur*std::sin(th) + ut*std::cos(th);
+        p = (in ? 4*(a + 1)*std::pow(r, a) : 4*(a - 1)*std::pow(r, -a))*c1
+           *std::cos(a*th);
+    }
+};
+
+
+int main(int argc, char *argv[])
+{
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+
+    volVectorField U
+    (
+        IOobject("U", runTime.timeName(), mesh, IOobject::MUST_READ), mesh
+    );
+    volScalarField p
+    (
+        IOobject("p", runTime.timeName(), mesh, IOobject::MUST_READ), mesh
+    );
+    #include "createPhi.H"
+
+    const label mode = 3;
+    const modeFlow exact(mode, 1, 0.5);
+    const vector2 centre(0.013, 0.027);
+    const meshPlane plane(mesh);
+
+    vector2 u;
+    scalar q;
+    forAll(U.boundaryField(), patchi)
+    {
+        fvPatchVectorField& Up = U.boundaryFieldRef()[patchi];
+        forAll(Up, i)
+        {
+            exact.at(plane(Up.patch().Cf()[i]) - centre, u, q);
+            Up[i] = plane.toVector(u);
+        }
+    }
+    // Net flux of the sampled boundary values, spread evenly
+    scalar flux = 0;
+    scalar area = 0;
+    forAll(U.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& Up = U.boundaryField()[patchi];
+        flux += gSum(Up & Up.patch().Sf());
+        area += Up.size() ? gSum(Up.patch().magSf()) : 0;
+    }
+    forAll(U.boundaryField(), patchi)
+    {
+        fvPatchVectorField& Up = U.boundaryFieldRef()[patchi];
+        Up == Up - flux/area*Up.patch().nf();
+    }
+
+    const scalar h = Foam::sqrt(gMax(mesh.V().field())/plane.thickness());
+    const periodicBasis basis(2*label(constant::mathematical::pi/h) + 1);
+    nodalVectors x(basis.size(), 2);
+    nodalVectors f(basis.size(), 2);
+    for (label i = 0; i < basis.size(); ++i)
+    {
+        const scalar th = basis.alpha(i);
+        const vector2 n(std::cos(th), std::sin(th));
+        x.row(i) = centre + n;
+        f.row(i) =
+            std::cos(mode*th)*n
+          + 0.5*std::sin(mode*th)*vector2(-n(1), n(0));
+    }
+    const closedCurve curve(basis, x);
+
+    immersedInterface interface
+    (
+        "circle", mesh, plane, curve, oneSidedFit::radius
+    );
+    interface.setJumps
+    (
+        jumpConditions(curve, f, nodalVectors::Zero(basis.size(), 2), 1)
+    );
+    flowSolver::sources sources(mesh);
+    interface.addLaplacian(1, sources.momentum);
+    interface.addGradient(sources.gradient);
+    interface.addFlux(sources.flux, sources.pressureFlux);
+
+    const dimensionedScalar mu("mu", dimPressure*dimTime, 1);
+    const fvVectorMatrix UEqn(-fvm::laplacian(mu, U));
+    autoPtr<flowSolver> flow
+    (
+        flowSolver::New
+        (
+            mesh.solutionDict().subDict("capsuleFoam").subDict("flow"),
+            U, p, phi
+        )
+    );
+    flow->begin(UEqn);
+    flow->solve(UEqn, &sources);
+
+    scalarField dp(mesh.nCells());
+    scalar maxU = 0;
+    forAll(dp, celli)
+    {
+        exact.at(plane(mesh.C()[celli]) - centre, u, q);
+        maxU = max(maxU, (plane(U[celli]) - u).cwiseAbs().maxCoeff());
+        dp[celli] = p[celli] - q;
+    }
+    dp -= average(dp);
+
+    const volScalarField distance(interface.distance().field());
+    scalar maxD = 0;
+    forAll(distance, celli)
+    {
+        const scalar r = (plane(mesh.C()[celli]) - centre).norm();
+        maxD = max(maxD, mag(distance[celli] - (r - 1)));
+    }
+
+    Info<< "norms " << maxU << ' ' << max(mag(dp)) << ' '
+        << Foam::sqrt(average(sqr(dp))) << ' '
+        << gMax(mag(fvc::div(phi)().primitiveField())) << ' ' << maxD << endl;
+
+    return 0;
+}
