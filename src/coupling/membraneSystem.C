@@ -45,7 +45,7 @@ static scalar rms(const nodalVectors& v)
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-const Foam::scalar Foam::capsule::membraneSystem::resolvedWave_ = (getenv("KC") ? atof(getenv("KC")) : 1.6);
+const Foam::scalar Foam::capsule::membraneSystem::resolvedWave_ = 1.6;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -64,12 +64,71 @@ Foam::capsule::membraneSystem::part::part
 {}
 
 
+void Foam::capsule::membraneSystem::checkInside
+(
+    const membrane& m,
+    const nodalVectors& nodes
+) const
+{
+    // Distance of the points to the boundary faces, against the cells' width
+    const pointField points(plane_.toPoints(nodes));
+    scalar nearest = GREAT;
+    word patch;
+    for (const fvPatch& pp : mesh_.boundary())
+    {
+        if (pp.coupled() || pp.size() == 0)
+        {
+            continue;
+        }
+        const vectorField normals(pp.nf());
+        forAll(pp, i)
+        {
+            // How far the points are from the face's plane, beside the face
+            const scalar reach = pp.magSf()[i]/plane_.thickness();
+            for (const point& x : points)
+            {
+                const vector flat =
+                    plane_.toVector(plane_(x - pp.Cf()[i]));
+                const scalar depth = -(flat & normals[i]);
+                if (mag(flat + depth*normals[i]) < reach && depth < nearest)
+                {
+                    nearest = depth;
+                    patch = pp.name();
+                }
+            }
+        }
+    }
+    reduce(nearest, minOp<scalar>());
+
+    const boundBox& bounds = mesh_.bounds();
+    bool outside = false;
+    for (const point& x : points)
+    {
+        outside = outside || !bounds.contains(x);
+    }
+
+    const scalar width =
+        Foam::sqrt(gMin(mesh_.V().field())/plane_.thickness());
+    if (outside || nearest < width)
+    {
+        FatalIOErrorInFunction(*this)
+            << "Membrane " << m.name() << " at time "
+            << mesh_.time().timeName() << " is outside the mesh, or closer"
+            << " than a cell width to its boundary " << patch << nl
+            << "    Membranes must stay at least a cell width inside."
+            << exit(FatalIOError);
+    }
+}
+
+
 Foam::capsule::immersedInterface* Foam::capsule::membraneSystem::placed
 (
     const membrane& m,
     const nodalVectors& nodes
 ) const
 {
+    checkInside(m, nodes);
+
     return new immersedInterface
     (
         m.name(),

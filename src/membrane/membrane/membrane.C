@@ -43,16 +43,15 @@ Foam::capsule::membrane::membrane
     const label fitting = 2*label(0.5*shape->perimeter()/width) + 1;
     const label n = dict.getOrDefault<label>("points", fitting);
 
-    // Fewer points do not resolve a wave, and the mesh cannot answer waves
-    // shorter than two cells
-    if (n < max(label(12), fitting/4) || n > 4*fitting + 2)
+    // Points further apart than four cells do not use what the mesh resolves;
+    // points closer than a quarter of a cell only cost
+    if (n < max(label(12), fitting/4) || n > 4*fitting)
     {
         FatalIOErrorInFunction(dict)
             << "Entry points is " << n << "; for membrane " << name_
-            << " on this mesh, from " << max(label(12), fitting/4) << " to "
-            << label(1.05*fitting) + 2 << " are permitted: points closer than a cell"
-            << " width make waves that the mesh cannot answer"
-            << exit(FatalIOError);
+            << " on this mesh, " << max(label(12), fitting/4) << " to "
+            << 4*fitting << " are permitted: points a quarter of a cell"
+            << " width to four cell widths apart" << exit(FatalIOError);
     }
 
     basis_.reset(new periodicBasis(n));

@@ -60,6 +60,12 @@ public:
         plane_(plane)
     {}
 
+    //- The file is read as a dictionary
+    virtual const word& type() const
+    {
+        return IOdictionary::typeName;
+    }
+
     virtual bool writeData(Ostream& os) const
     {
         os.precision(17);

@@ -178,16 +178,20 @@ int main(int argc, char *argv[])
     dp -= average(dp);
 
     const volScalarField distance(interface.distance().field());
+    scalar nearD = 0;
     scalar maxD = 0;
     forAll(distance, celli)
     {
         const scalar r = (plane(mesh.C()[celli]) - centre).norm();
-        maxD = max(maxD, mag(distance[celli] - (r - 1)));
+        const scalar error = mag(distance[celli] - (r - 1));
+        maxD = max(maxD, error);
+        nearD = max(nearD, mag(r - 1) < 0.5 ? error : 0);
     }
 
     Info<< "norms " << maxU << ' ' << max(mag(dp)) << ' '
         << Foam::sqrt(average(sqr(dp))) << ' '
-        << gMax(mag(fvc::div(phi)().primitiveField())) << ' ' << maxD << endl;
+        << gMax(mag(fvc::div(phi)().primitiveField())) << ' '
+        << nearD << ' ' << maxD << endl;
 
     return 0;
 }
