@@ -405,6 +405,15 @@ Foam::capsule::membraneSystem::membraneSystem
     iter_(0),
     converged_(true)
 {
+    // Wrong time schemes stop here, before the first step
+    timeScheme(mesh_, "ddt(U)", 0);
+    if (timeScheme(mesh_, "ddt(membranes)", 0).c == 0)
+    {
+        FatalIOErrorInFunction(mesh_.schemesDict().subDict("ddtSchemes"))
+            << "Entry ddt(membranes) is steadyState; permitted: Euler,"
+            << " backward" << exit(FatalIOError);
+    }
+
     const dictionary& dict = subDict("membranes");
     for (const entry& e : dict)
     {
@@ -615,6 +624,8 @@ void Foam::capsule::membraneSystem::write() const
         for (const part& m : parts_)
         {
             m.body.write(mesh_.time());
+            m.body.writeCloud(mesh_);
+            m.interface->distance().field()().write();
         }
     }
 }

@@ -68,6 +68,7 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     const scalar bandWidth
 )
 :
+    name_(name),
     mesh_(mesh),
     plane_(plane),
     curve_(curve),
@@ -191,7 +192,7 @@ Foam::tmp<Foam::volScalarField> Foam::capsule::membraneLevelSet::field() const
     (
         volScalarField::New
         (
-            "levelSet",
+            "levelSet." + name_,
             mesh_,
             dimensionedScalar(dimLength, Zero)
         )
