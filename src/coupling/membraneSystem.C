@@ -197,6 +197,21 @@ Foam::capsule::nodalMatrix Foam::capsule::membraneSystem::resolving
 }
 
 
+Foam::capsule::nodalVectors Foam::capsule::membraneSystem::resolved
+(
+    const closedCurve& curve,
+    const nodalMatrix& resolving,
+    const nodalVectors& f
+)
+{
+    // Along normal and tangent, so that a uniform pressure is kept whole
+    const nodalVectors& n = curve.normal();
+    const nodalVectors& t = curve.tangent();
+
+    return scaled(resolving*dot(f, n), n) + scaled(resolving*dot(f, t), t);
+}
+
+
 Foam::capsule::jumpConditions Foam::capsule::membraneSystem::jumps
 (
     const immersedInterface& interface,
@@ -208,7 +223,12 @@ Foam::capsule::jumpConditions Foam::capsule::membraneSystem::jumps
     return jumpConditions
     (
         curve,
-        resolving(curve, interface.distance().width())*s.force,
+        resolved
+        (
+            curve,
+            resolving(curve, interface.distance().width()),
+            s.force
+        ),
         s.inertia,
         mu_
     );
@@ -318,12 +338,13 @@ void Foam::capsule::membraneSystem::setSources()
     for (part& m : parts_)
     {
         const membrane::state& now = m.body.now();
+        const closedCurve& curve = m.interface->distance().curve();
         m.interface->setJumps
         (
             jumpConditions
             (
-                m.interface->distance().curve(),
-                m.resolving*now.force,
+                curve,
+                resolved(curve, m.resolving, now.force),
                 now.inertia,
                 mu_
             )
@@ -541,7 +562,7 @@ void Foam::capsule::membraneSystem::correct()
         const oneSidedFit::fitted inner =
             (*m.fit)(U_, m.ratio != 1 ? &p_ : nullptr);
         const nodalScalars unresolved =
-            stacked(now.force - m.resolving*now.force);
+            stacked(now.force - resolved(curve, m.resolving, now.force));
         now.velocity = velocity
         (
             curve,
