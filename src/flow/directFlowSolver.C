@@ -253,7 +253,6 @@ void Foam::capsule::directFlowSolver::prepare(const fvVectorMatrix& UEqn)
 
 void Foam::capsule::directFlowSolver::apply
 (
-    const fvVectorMatrix&,
     const vectorField& momentum,
     const scalarField& continuity,
     vectorField& dU,

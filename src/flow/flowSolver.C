@@ -9,9 +9,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "flowSolver.H"
-#include "fvc.H"
-#include "findRefCell.H"
-#include "surfaceInterpolate.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -22,10 +19,15 @@ namespace capsule
     defineTypeNameAndDebug(flowSolver, 0);
     defineRunTimeSelectionTable(flowSolver, dictionary);
 
-    //- Scalar product over all processors
+    //- Scalar product and length over all processors
     static scalar globalDot(const nodalScalars& a, const nodalScalars& b)
     {
         return returnReduce(scalar(a.dot(b)), sumOp<scalar>());
+    }
+
+    static scalar globalNorm(const nodalScalars& a)
+    {
+        return Foam::sqrt(globalDot(a, a));
     }
 }
 }
@@ -33,144 +35,48 @@ namespace capsule
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::capsule::nodalScalars Foam::capsule::flowSolver::residual
+void Foam::capsule::flowSolver::addDirection
 (
     const fvVectorMatrix& UEqn,
-    const sources* extra
+    const sources* extra,
+    const nodalScalars& r,
+    const nodalScalars& atRest,
+    const scalar size
 )
 {
-    U_.correctBoundaryConditions();
-    p_.correctBoundaryConditions();
+    vectorField momentum(mesh_.nCells());
+    scalarField continuity(mesh_.nCells());
+    vectorField dU(mesh_.nCells(), Zero);
+    scalarField dp(mesh_.nCells(), Zero);
+    unscale(r*(size/globalNorm(r)), momentum, continuity);
+    apply(momentum, continuity, dU, dp);
 
-    volVectorField gradp(fvc::grad(p_));
-    vectorField momentum(-(UEqn & U_)().primitiveField());
-    if (extra)
+    // The matrix times the unknowns, from the affine residual: their size is
+    // that of the flow, so that little is lost in the difference
+    searchDirection d;
+    d.unknowns = packed(dU, dp);
+    unpack(d.unknowns);
+    d.residual = atRest - residual(UEqn, extra);
+
+    for (const searchDirection& other : directions_)
     {
-        gradp += extra->gradient;
-        gradp.correctBoundaryConditions();
-        momentum += extra->momentum;
+        const scalar share = globalDot(d.residual, other.residual);
+        d.residual -= share*other.residual;
+        d.unknowns -= share*other.unknowns;
     }
-    momentum -= gradp.primitiveField();
+    const scalar length = globalNorm(d.residual) + VSMALL;
+    d.residual /= length;
+    d.unknowns /= length;
 
-    phi_ =
-        fvc::flux(U_)
-      + rAUf_
-       *(
-            (fvc::interpolate(gradp) & mesh_.Sf())
-          - fvc::snGrad(p_)*mesh_.magSf()
-        );
-    if (extra)
+    if (label(directions_.size()) == maxDirections_)
     {
-        phi_ += extra->flux + rAUf_*extra->pressureFlux;
+        directions_.pop_front();
     }
-
-    // Boundary fluxes are those of the velocity; where the pressure is fixed,
-    // the gradient of the cell against that of the face
-    forAll(phi_.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& pp = p_.boundaryField()[patchi];
-        if (pp.coupled())
-        {
-            continue;
-        }
-        const vectorField& S = mesh_.Sf().boundaryField()[patchi];
-        scalarField flux(U_.boundaryField()[patchi] & S);
-        if (pp.fixesValue())
-        {
-            flux +=
-                rAUf_.boundaryField()[patchi]
-               *(
-                    (gradp.boundaryField()[patchi].patchInternalField() & S)
-                  - pp.snGrad()*mesh_.magSf().boundaryField()[patchi]
-                );
-        }
-        phi_.boundaryFieldRef()[patchi] = flux;
-    }
-
-    scalarField continuity(-fvc::div(phi_)().primitiveField());
-    if (pRefCell_ != -1)
-    {
-        // The last equation left over by those of the other cells
-        continuity[pRefCell_] = 
-            (pRefValue_ - p_[pRefCell_])/pressureScale_;
-    }
-
-    const label n = mesh_.nCells();
-    nodalScalars r(3*n);
-    for (label celli = 0; celli < n; ++celli)
-    {
-        r.segment<2>(3*celli) =
-            momentumScale_[celli]*plane_(momentum[celli]).transpose();
-        r(3*celli + 2) = continuityScale_[celli]*continuity[celli];
-    }
-    return r;
-}
-
-
-Foam::capsule::nodalScalars Foam::capsule::flowSolver::packed() const
-{
-    nodalScalars x(3*mesh_.nCells());
-    forAll(U_, celli)
-    {
-        x.segment<2>(3*celli) = plane_(U_[celli]).transpose();
-        x(3*celli + 2) = p_[celli];
-    }
-    return x;
-}
-
-
-void Foam::capsule::flowSolver::unpack(const nodalScalars& x)
-{
-    forAll(U_, celli)
-    {
-        U_[celli] = plane_.toVector(x.segment<2>(3*celli));
-        p_[celli] = x(3*celli + 2);
-    }
+    directions_.push_back(std::move(d));
 }
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::capsule::flowSolver::sources::sources(const fvMesh& mesh)
-:
-    momentum
-    (
-        IOobject("interfaceMomentum", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedVector(dimPressure/dimLength, Zero)
-    ),
-    gradient
-    (
-        IOobject("interfaceGradient", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedVector(dimPressure/dimLength, Zero)
-    ),
-    flux
-    (
-        IOobject("interfaceFlux", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar(dimVelocity*dimArea, Zero)
-    ),
-    pressureFlux
-    (
-        IOobject("interfacePressureFlux", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar(dimPressure*dimLength, Zero)
-    )
-{
-    flux.setOriented();
-    pressureFlux.setOriented();
-}
-
-
-void Foam::capsule::flowSolver::sources::clear()
-{
-    momentum = dimensionedVector(momentum.dimensions(), Zero);
-    gradient = dimensionedVector(gradient.dimensions(), Zero);
-    flux = dimensionedScalar(flux.dimensions(), Zero);
-    pressureFlux = dimensionedScalar(pressureFlux.dimensions(), Zero);
-}
-
 
 Foam::capsule::flowSolver::flowSolver
 (
@@ -180,6 +86,7 @@ Foam::capsule::flowSolver::flowSolver
     surfaceScalarField& phi
 )
 :
+    flowEquations(dict, U, p, phi),
     tolerance_
     (
         dict.getCheckOrDefault<scalar>
@@ -187,31 +94,15 @@ Foam::capsule::flowSolver::flowSolver
             "tolerance", 1e-8, scalarMinMax(VSMALL, 0.1)
         )
     ),
-    maxIter_(dict.getCheckOrDefault<label>("maxIter", 60, labelMinMax::ge(1))),
-    mesh_(U.mesh()),
-    plane_(mesh_),
-    U_(U),
-    p_(p),
-    phi_(phi),
-    pRefCell_(-1),
-    pRefValue_(0),
-    rAUf_
+    maxIter_
     (
-        IOobject("rAUf", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar(dimVelocity*dimLength/dimPressure, Zero)
+        dict.getCheckOrDefault<label>("maxIter", 100, labelMinMax::ge(1))
+    ),
+    maxDirections_
+    (
+        dict.getCheckOrDefault<label>("directions", 60, labelMinMax::ge(1))
     )
-{
-    if (p.needReference())
-    {
-        label cell = 0;
-        setRefCell
-        (
-            mesh_.lookupObject<volScalarField>("p"), p, dict, cell, pRefValue_
-        );
-        pRefCell_ = cell;
-    }
-}
+{}
 
 
 Foam::autoPtr<Foam::capsule::flowSolver> Foam::capsule::flowSolver::New
@@ -246,21 +137,8 @@ Foam::autoPtr<Foam::capsule::flowSolver> Foam::capsule::flowSolver::New
 
 void Foam::capsule::flowSolver::begin(const fvVectorMatrix& UEqn)
 {
-    const volScalarField rAU(1.0/UEqn.A());
-    rAUf_ = fvc::interpolate(rAU);
-
-    // Both residuals as velocities: h^2/mu times force, h times divergence
-    momentumScale_ = rAU.primitiveField();
-    continuityScale_.setSize(mesh_.nCells());
-    forAll(continuityScale_, celli)
-    {
-        continuityScale_[celli] =
-            Foam::sqrt(mesh_.V()[celli]/plane_.thickness());
-    }
-
-    // Pressure over divergence: the reference equation in the same units
-    pressureScale_ = gMax(sqr(continuityScale_)/momentumScale_);
-
+    directions_.clear();
+    set(UEqn);
     prepare(UEqn);
 }
 
@@ -271,90 +149,50 @@ void Foam::capsule::flowSolver::solve
     const sources* extra
 )
 {
-    // Reference: what the fluid at rest leaves of the equations
-    const nodalScalars start = packed();
-    unpack(nodalScalars::Zero(start.size()));
-    const nodalScalars atRest = residual(UEqn, extra);
-    const scalar reference = Foam::sqrt(globalDot(atRest, atRest)) + VSMALL;
+    nodalScalars x = packed(U_, p_);
 
-    unpack(start);
-    nodalScalars x = start;
+    // Reference: what the fluid at rest leaves of the equations
+    unpack(nodalScalars::Zero(x.size()));
+    const nodalScalars atRest = residual(UEqn, extra);
+    const scalar reference = globalNorm(atRest) + VSMALL;
+
+    unpack(x);
     nodalScalars r = residual(UEqn, extra);
-    scalar norm = Foam::sqrt(globalDot(r, r));
+    scalar norm = globalNorm(r);
     const scalar initial = norm;
 
-    const auto preconditioned = [&](const nodalScalars& v)
+    const auto advance = [&](const searchDirection& d)
     {
-        vectorField momentum(mesh_.nCells());
-        scalarField continuity(mesh_.nCells());
-        vectorField dU(mesh_.nCells(), Zero);
-        scalarField dp(mesh_.nCells(), Zero);
-        forAll(momentum, celli)
-        {
-            momentum[celli] =
-                plane_.toVector(v.segment<2>(3*celli))/momentumScale_[celli];
-            continuity[celli] = v(3*celli + 2)/continuityScale_[celli];
-        }
-        apply(UEqn, momentum, continuity, dU, dp);
-
-        nodalScalars z(v.size());
-        forAll(momentum, celli)
-        {
-            z.segment<2>(3*celli) = plane_(dU[celli]).transpose();
-            z(3*celli + 2) = dp[celli];
-        }
-        return z;
+        const scalar step = globalDot(r, d.residual);
+        x += step*d.unknowns;
+        r -= step*d.residual;
     };
+    for (const searchDirection& d : directions_)
+    {
+        advance(d);
+    }
 
     label iter = 0;
-    while (norm > tolerance_*reference && iter < maxIter_)
+    scalar last;
+    do
     {
-        // One cycle of flexible GMRES from the present residual
-        const label restart = min(label(40), maxIter_ - iter);
-        std::vector<nodalScalars> v(1, r/norm);
-        std::vector<nodalScalars> z;
-        nodalMatrix h = nodalMatrix::Zero(restart + 1, restart);
-        nodalScalars y;
-
-        for (label k = 0; k < restart; ++k)
+        while (globalNorm(r) > 0.9*tolerance_*reference && iter < maxIter_)
         {
-            z.push_back(preconditioned(v[k]));
             ++iter;
-
-            // Product with the matrix, from the affine residual
-            unpack(reference*z[k]);
-            nodalScalars w = (atRest - residual(UEqn, extra))/reference;
-            for (label j = 0; j <= k; ++j)
-            {
-                h(j, k) = globalDot(w, v[j]);
-                w -= h(j, k)*v[j];
-            }
-            h(k + 1, k) = Foam::sqrt(globalDot(w, w));
-            v.push_back(w/(h(k + 1, k) + VSMALL));
-
-            nodalScalars e = nodalScalars::Zero(k + 2);
-            e(0) = norm;
-            const nodalMatrix hk = h.topLeftCorner(k + 2, k + 1);
-            y = hk.colPivHouseholderQr().solve(e);
-            if ((e - hk*y).norm() < 0.5*tolerance_*reference)
-            {
-                break;
-            }
+            addDirection(UEqn, extra, r, atRest, reference);
+            advance(directions_.back());
         }
 
-        for (label j = 0; j < y.size(); ++j)
-        {
-            x += y(j)*z[j];
-        }
+        // Round-off apart, the residual is that of the directions
         unpack(x);
         r = residual(UEqn, extra);
-        const scalar last = norm;
-        norm = Foam::sqrt(globalDot(r, r));
-        if (norm > 0.9*last)
-        {
-            break;
-        }
+        last = norm;
+        norm = globalNorm(r);
     }
+    while
+    (
+        norm > tolerance_*reference && norm < 0.5*last && iter < maxIter_
+    );
 
     applied(iter);
 

@@ -1,0 +1,224 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "flowEquations.H"
+#include "fvc.H"
+#include "findRefCell.H"
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+void Foam::capsule::flowEquations::set(const fvVectorMatrix& UEqn)
+{
+    const volScalarField rAU(1.0/UEqn.A());
+    rAUf_ = fvc::interpolate(rAU);
+
+    // Both residuals as velocities: h^2/mu times force, h times divergence
+    momentumScale_ = rAU.primitiveField();
+    continuityScale_ = Foam::sqrt(mesh_.V().field()/plane_.thickness());
+
+    // Pressure over divergence: the reference equation in the same units
+    pressureScale_ = gMax(sqr(continuityScale_)/momentumScale_);
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::flowEquations::residual
+(
+    const fvVectorMatrix& UEqn,
+    const sources* extra
+)
+{
+    U_.correctBoundaryConditions();
+    p_.correctBoundaryConditions();
+
+    volVectorField gradp(fvc::grad(p_));
+    vectorField momentum(-(UEqn & U_)().primitiveField());
+    if (extra)
+    {
+        gradp += extra->gradient;
+        gradp.correctBoundaryConditions();
+        momentum += extra->momentum;
+    }
+    momentum -= gradp.primitiveField();
+
+    phi_ =
+        fvc::flux(U_)
+      + rAUf_
+       *(
+            (fvc::interpolate(gradp) & mesh_.Sf())
+          - fvc::snGrad(p_)*mesh_.magSf()
+        );
+    if (extra)
+    {
+        phi_ += extra->flux + rAUf_*extra->pressureFlux;
+    }
+
+    // Boundary fluxes are those of the velocity; where the pressure is fixed,
+    // the gradient of the cell against that of the face
+    forAll(phi_.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pp = p_.boundaryField()[patchi];
+        if (pp.coupled())
+        {
+            continue;
+        }
+        const vectorField& S = mesh_.Sf().boundaryField()[patchi];
+        scalarField flux(U_.boundaryField()[patchi] & S);
+        if (pp.fixesValue())
+        {
+            flux +=
+                rAUf_.boundaryField()[patchi]
+               *(
+                    (gradp.boundaryField()[patchi].patchInternalField() & S)
+                  - pp.snGrad()*mesh_.magSf().boundaryField()[patchi]
+                );
+        }
+        phi_.boundaryFieldRef()[patchi] = flux;
+    }
+
+    scalarField continuity(-fvc::div(phi_)().primitiveField());
+    if (pRefCell_ != -1)
+    {
+        // The last equation left over by those of the other cells
+        continuity[pRefCell_] =
+            (pRefValue_ - p_[pRefCell_])/pressureScale_;
+    }
+
+    const label n = mesh_.nCells();
+    nodalScalars r(3*n);
+    for (label celli = 0; celli < n; ++celli)
+    {
+        r.segment<2>(3*celli) =
+            momentumScale_[celli]*plane_(momentum[celli]).transpose();
+        r(3*celli + 2) = continuityScale_[celli]*continuity[celli];
+    }
+    return r;
+}
+
+
+void Foam::capsule::flowEquations::unscale
+(
+    const nodalScalars& r,
+    vectorField& momentum,
+    scalarField& continuity
+) const
+{
+    forAll(momentum, celli)
+    {
+        momentum[celli] =
+            plane_.toVector(r.segment<2>(3*celli))/momentumScale_[celli];
+        continuity[celli] = r(3*celli + 2)/continuityScale_[celli];
+    }
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::flowEquations::packed
+(
+    const vectorField& U,
+    const scalarField& p
+) const
+{
+    nodalScalars x(3*U.size());
+    forAll(U, celli)
+    {
+        x.segment<2>(3*celli) = plane_(U[celli]).transpose();
+        x(3*celli + 2) = p[celli];
+    }
+    return x;
+}
+
+
+void Foam::capsule::flowEquations::unpack(const nodalScalars& x)
+{
+    forAll(U_, celli)
+    {
+        U_[celli] = plane_.toVector(x.segment<2>(3*celli));
+        p_[celli] = x(3*celli + 2);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::flowEquations::sources::sources(const fvMesh& mesh)
+:
+    momentum
+    (
+        IOobject("interfaceMomentum", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimPressure/dimLength, Zero)
+    ),
+    gradient
+    (
+        IOobject("interfaceGradient", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimPressure/dimLength, Zero)
+    ),
+    flux
+    (
+        IOobject("interfaceFlux", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimVelocity*dimArea, Zero)
+    ),
+    pressureFlux
+    (
+        IOobject("interfacePressureFlux", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimPressure*dimLength, Zero)
+    )
+{
+    flux.setOriented();
+    pressureFlux.setOriented();
+}
+
+
+void Foam::capsule::flowEquations::sources::clear()
+{
+    momentum = dimensionedVector(momentum.dimensions(), Zero);
+    gradient = dimensionedVector(gradient.dimensions(), Zero);
+    flux = dimensionedScalar(flux.dimensions(), Zero);
+    pressureFlux = dimensionedScalar(pressureFlux.dimensions(), Zero);
+}
+
+
+Foam::capsule::flowEquations::flowEquations
+(
+    const dictionary& dict,
+    volVectorField& U,
+    volScalarField& p,
+    surfaceScalarField& phi
+)
+:
+    mesh_(U.mesh()),
+    plane_(mesh_),
+    U_(U),
+    p_(p),
+    phi_(phi),
+    pRefCell_(-1),
+    pRefValue_(0),
+    rAUf_
+    (
+        IOobject("rAUf", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimVelocity*dimLength/dimPressure, Zero)
+    ),
+    pressureScale_(1)
+{
+    if (p.needReference())
+    {
+        setRefCell
+        (
+            mesh_.lookupObject<volScalarField>("p"),
+            p,
+            dict,
+            pRefCell_,
+            pRefValue_
+        );
+    }
+}

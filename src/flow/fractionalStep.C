@@ -1,0 +1,219 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fractionalStep.H"
+#include "fvm.H"
+#include "fvc.H"
+#include "fixedValueFvPatchFields.H"
+#include "zeroGradientFvPatchFields.H"
+#include "wallPolyPatch.H"
+#include "profiling.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+    defineTypeNameAndDebug(fractionalStep, 0);
+    addToRunTimeSelectionTable(flowSolver, fractionalStep, dictionary);
+
+    //- Solve without a line in the log for each of the many sweeps
+    template<class Type>
+    static void solveQuietly
+    (
+        fvMatrix<Type>& equation,
+        const dictionary& controls
+    )
+    {
+        const int said = SolverPerformance<Type>::debug;
+        SolverPerformance<Type>::debug = 0;
+        equation.solve(controls);
+        SolverPerformance<Type>::debug = said;
+    }
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type>
+Foam::wordList Foam::capsule::fractionalStep::homogeneous
+(
+    const GeometricField<Type, fvPatchField, volMesh>& field
+)
+{
+    wordList types(field.boundaryField().size());
+    forAll(types, patchi)
+    {
+        const fvPatchField<Type>& pf = field.boundaryField()[patchi];
+        types[patchi] =
+            polyPatch::constraintType(pf.patch().type())
+          ? pf.patch().type()
+          : pf.fixesValue()
+          ? fixedValueFvPatchField<Type>::typeName
+          : zeroGradientFvPatchField<Type>::typeName;
+    }
+    return types;
+}
+
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+void Foam::capsule::fractionalStep::prepare(const fvVectorMatrix& UEqn)
+{
+    // The matrix of UEqn with homogeneous boundary conditions
+    momentumEqn_.reset(new fvVectorMatrix(dU_, UEqn.dimensions()));
+    momentumEqn_->lduMatrix::operator=(UEqn);
+    momentumEqn_->internalCoeffs() = UEqn.internalCoeffs();
+    momentumEqn_->boundaryCoeffs() = UEqn.boundaryCoeffs();
+    forAll(dU_.boundaryField(), patchi)
+    {
+        if (!dU_.boundaryField()[patchi].coupled())
+        {
+            momentumEqn_->boundaryCoeffs()[patchi] = Zero;
+        }
+    }
+
+    // The sum of a row is the coefficient of the time derivative; the
+    // off-diagonals are the viscosity's, and differ by the convection
+    const scalarField& lower = UEqn.lower();
+    const scalarField& upper = UEqn.upper();
+    scalarField sum(UEqn.diag());
+    scalar viscous = 0;
+    scalar geometric = 0;
+    forAll(upper, facei)
+    {
+        sum[mesh_.owner()[facei]] += upper[facei];
+        sum[mesh_.neighbour()[facei]] += lower[facei];
+        viscous -= 0.5*(lower[facei] + upper[facei]);
+        geometric +=
+            mesh_.magSf()[facei]*mesh_.nonOrthDeltaCoeffs()[facei];
+    }
+    forAll(dU_.boundaryField(), patchi)
+    {
+        if (dU_.boundaryField()[patchi].coupled())
+        {
+            // Diagonal and off-diagonal parts of coupled faces
+            const labelUList& cells = mesh_.boundary()[patchi].faceCells();
+            forAll(cells, i)
+            {
+                const label axis = plane_.axis(0);
+                sum[cells[i]] +=
+                    UEqn.internalCoeffs()[patchi][i][axis]
+                  - UEqn.boundaryCoeffs()[patchi][i][axis];
+            }
+        }
+    }
+    reduce(viscous, sumOp<scalar>());
+    reduce(geometric, sumOp<scalar>());
+    mu_ = viscous/geometric;
+
+    scalar walls = 0;
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        if (isA<wallPolyPatch>(pp))
+        {
+            walls += gSum(mag(pp.faceAreas()));
+        }
+    }
+    const scalar perHeight = walls/(2*gSum(mesh_.V().field()));
+    friction_ = sum/mesh_.V().field() + 12*mu_*sqr(perHeight);
+
+    if (!pressureEqn_.valid())
+    {
+        pressureEqn_.reset(new fvScalarMatrix(fvm::laplacian(psi_)));
+        if (pRefCell_ != -1)
+        {
+            pressureEqn_->setReference(pRefCell_, 0);
+        }
+    }
+}
+
+
+void Foam::capsule::fractionalStep::apply
+(
+    const vectorField& momentum,
+    const scalarField& continuity,
+    vectorField& dU,
+    scalarField& dp
+)
+{
+    addProfiling(sweep, "capsule::fractionalStep");
+
+    // Momentum predictor
+    dU_ = dimensionedVector(dimVelocity, Zero);
+    momentumEqn_->source() = momentum*mesh_.V().field();
+    solveQuietly(*momentumEqn_, mesh_.solverDict("U"));
+
+    // Pressure equation: what is left of continuity
+    scalarField left
+    (
+        continuity - fvc::div(fvc::flux(dU_))().primitiveField()
+    );
+    if (p_.needReference())
+    {
+        // The reference cell balances the others; its row is the level
+        if (pRefCell_ != -1)
+        {
+            left[pRefCell_] = 0;
+        }
+        const scalar others = gSum(left*mesh_.V().field());
+        if (pRefCell_ != -1)
+        {
+            left[pRefCell_] = -others/mesh_.V()[pRefCell_];
+        }
+    }
+    psi_ = dimensionedScalar(psi_.dimensions(), Zero);
+    pressureEqn_->source() = left*mesh_.V().field();
+    solveQuietly(*pressureEqn_, mesh_.solverDict("p"));
+
+    dU = dU_.primitiveField() + fvc::grad(psi_)().primitiveField();
+    dp = mu_*left - friction_*psi_.primitiveField();
+    if (p_.needReference())
+    {
+        scalar level = -GREAT;
+        if (pRefCell_ != -1)
+        {
+            level = continuity[pRefCell_]*pressureScale() - dp[pRefCell_];
+        }
+        dp += returnReduce(level, maxOp<scalar>());
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::fractionalStep::fractionalStep
+(
+    const dictionary& dict,
+    volVectorField& U,
+    volScalarField& p,
+    surfaceScalarField& phi
+)
+:
+    flowSolver(dict, U, p, phi),
+    dU_
+    (
+        IOobject("dU", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedVector(dimVelocity, Zero),
+        homogeneous(U)
+    ),
+    psi_
+    (
+        IOobject("psi", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimVelocity*dimLength, Zero),
+        homogeneous(p)
+    ),
+    mu_(0)
+{}
