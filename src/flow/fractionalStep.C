@@ -131,10 +131,7 @@ void Foam::capsule::fractionalStep::prepare(const fvVectorMatrix& UEqn)
     if (!pressureEqn_.valid())
     {
         pressureEqn_.reset(new fvScalarMatrix(fvm::laplacian(psi_)));
-        if (pRefCell_ != -1)
-        {
-            pressureEqn_->setReference(pRefCell_, 0);
-        }
+        pressureEqn_->setReference(pRefCell_, 0);
     }
 }
 
@@ -159,7 +156,7 @@ void Foam::capsule::fractionalStep::apply
     (
         continuity - fvc::div(fvc::flux(dU_))().primitiveField()
     );
-    if (p_.needReference())
+    if (free_)
     {
         // The reference cell balances the others; its row is the level
         if (pRefCell_ != -1)
@@ -178,14 +175,14 @@ void Foam::capsule::fractionalStep::apply
 
     dU = dU_.primitiveField() + fvc::grad(psi_)().primitiveField();
     dp = mu_*left - friction_*psi_.primitiveField();
-    if (p_.needReference())
+    if (free_)
     {
-        scalar level = -GREAT;
+        scalar shift = -GREAT;
         if (pRefCell_ != -1)
         {
-            level = continuity[pRefCell_]*pressureScale() - dp[pRefCell_];
+            shift = continuity[pRefCell_]*pressureScale() - dp[pRefCell_];
         }
-        dp += returnReduce(level, maxOp<scalar>());
+        dp += returnReduce(shift, maxOp<scalar>());
     }
 }
 
@@ -215,5 +212,6 @@ Foam::capsule::fractionalStep::fractionalStep
         dimensionedScalar(dimVelocity*dimLength, Zero),
         homogeneous(p)
     ),
+    free_(p.needReference()),
     mu_(0)
 {}

@@ -73,6 +73,10 @@ void Foam::functionObjects::membraneMeasures::writeLine
     const label n = curve.size();
     const pointField x(system.plane().toPoints(curve.nodes()));
     const vectorField U(system.plane().toVectors(m.now().velocity));
+    const vectorField F
+    (
+        system.plane().toVectors(m.force(curve, curve.metric()))
+    );
     const capsule::nodalScalars stretch = m.stretch(curve);
     const capsule::nodalScalars tension = m.tension(curve);
 
@@ -92,11 +96,17 @@ void Foam::functionObjects::membraneMeasures::writeLine
     {
         os  << ' ' << i % n;
     }
-    os  << nl << "POINT_DATA " << n << nl << "VECTORS velocity float" << nl;
-    for (const vector& u : U)
+    os  << nl << "POINT_DATA " << n << nl;
+    const auto writeVectors = [&](const char* name, const vectorField& field)
     {
-        os  << u.x() << ' ' << u.y() << ' ' << u.z() << nl;
-    }
+        os  << "VECTORS " << name << " float" << nl;
+        for (const vector& v : field)
+        {
+            os  << v.x() << ' ' << v.y() << ' ' << v.z() << nl;
+        }
+    };
+    writeVectors("velocity", U);
+    writeVectors("force", F);
     os  << "SCALARS stretch float 1" << nl << "LOOKUP_TABLE default" << nl;
     for (label i = 0; i < n; ++i)
     {
@@ -107,6 +117,31 @@ void Foam::functionObjects::membraneMeasures::writeLine
     {
         os  << tension(i) << nl;
     }
+}
+
+
+void Foam::functionObjects::membraneMeasures::writeSeries
+(
+    const capsule::membrane& m
+) const
+{
+    const fileName dir(baseFileDir()/name());
+    const word line(m.name() + ".vtk");
+    OFstream os(dir/(line + ".series"));
+
+    os  << "{\n  \"file-series-version\" : \"1.0\",\n  \"files\" : [";
+    const char* separator = "\n";
+    for (const instant& time : Time::findTimes(dir))
+    {
+        if (isFile(dir/time.name()/line))
+        {
+            os  << separator << "    { \"name\" : \""
+                << (time.name()/line).c_str() << "\", \"time\" : "
+                << time.value() << " }";
+            separator = ",\n";
+        }
+    }
+    os  << "\n  ]\n}\n";
 }
 
 
@@ -182,6 +217,7 @@ bool Foam::functionObjects::membraneMeasures::write()
         if (lines_)
         {
             writeLine(system[i]);
+            writeSeries(system[i]);
         }
     }
     return true;

@@ -78,7 +78,14 @@ int main(int argc, char *argv[])
         }
 
         pressure = p/membranes.scale();
-        runTime.write();
+        if (membranes.canGoOn())
+        {
+            runTime.write();
+        }
+        else
+        {
+            runTime.writeAndEnd();
+        }
         membranes.write();
         runTime.printExecutionTime(Info);
     }

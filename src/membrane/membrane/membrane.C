@@ -11,6 +11,11 @@ License
 #include "membrane.H"
 #include "volFields.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::scalar Foam::capsule::membrane::pointsPerCell = 1.4;
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::membrane::membrane
@@ -40,17 +45,23 @@ Foam::capsule::membrane::membrane
     );
     const scalar width =
         Foam::sqrt(gMin(mesh.V().field())/plane.thickness());
-    const label fitting = 2*label(0.5*shape->perimeter()/width) + 1;
-    const label n = dict.getOrDefault<label>("points", fitting);
+    const scalar cells = shape->perimeter()/width;
+    const label n = dict.getOrDefault<label>
+    (
+        "points",
+        max(label(25), 2*label(0.5*pointsPerCell*cells) + 1)
+    );
 
     // Points further apart than four cells do not use what the mesh resolves;
     // points closer than a quarter of a cell only cost
-    if (n < max(label(12), fitting/4) || n > 4*fitting)
+    const label least = max(label(12), label(cells/4));
+    const label most = max(label(48), label(4*cells) + 1);
+    if (n < least || n > most)
     {
         FatalIOErrorInFunction(dict)
             << "Entry points is " << n << "; for membrane " << name_
-            << " on this mesh, " << max(label(12), fitting/4) << " to "
-            << 4*fitting << " are permitted: points a quarter of a cell"
+            << " on this mesh, " << least << " to " << most
+            << " are permitted: points a quarter of a cell"
             << " width to four cell widths apart" << exit(FatalIOError);
     }
 

@@ -1,0 +1,158 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "clearance.H"
+#include "volFields.H"
+#include "emptyPolyPatch.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::scalar Foam::capsule::clearance::least = 1;
+
+
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+
+//- Is x inside the polygon of the given corners?
+static bool inside(const vector2& x, const nodalVectors& corners)
+{
+    bool result = false;
+    vector2 a = corners.row(corners.rows() - 1);
+    for (label i = 0; i < corners.rows(); ++i)
+    {
+        const vector2 b = corners.row(i);
+        if
+        (
+            (a(1) > x(1)) != (b(1) > x(1))
+         && x(0) < a(0) + (x(1) - a(1))/(b(1) - a(1))*(b(0) - a(0))
+        )
+        {
+            result = !result;
+        }
+        a = b;
+    }
+    return result;
+}
+
+} // End namespace capsule
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::clearance::clearance
+(
+    const fvMesh& mesh,
+    const meshPlane& plane
+)
+:
+    mesh_(mesh),
+    plane_(plane),
+    width_(Foam::sqrt(gMin(mesh.V().field())/plane.thickness()))
+{
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (pp.coupled() || isA<emptyPolyPatch>(pp))
+        {
+            continue;
+        }
+        forAll(pp, i)
+        {
+            const vector& S = pp.faceAreas()[i];
+            centres_.append(plane(pp.faceCentres()[i]));
+            normals_.append(plane(S)/mag(S));
+            lengths_.append(mag(S)/plane.thickness());
+            patches_.append(pp.index());
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::capsule::clearance::obstacle
+(
+    const nodalVectors& points
+) const
+{
+    for (label i = 0; i < points.rows(); ++i)
+    {
+        if (!mesh_.bounds().contains(plane_.toPoint(points.row(i))))
+        {
+            return "the boundary";
+        }
+    }
+
+    // Boundary faces near the points: depth of the points below the face
+    const vector2 margin(least*width_, least*width_);
+    const vector2 low = points.colwise().minCoeff() - margin;
+    const vector2 high = points.colwise().maxCoeff() + margin;
+    scalar nearest = GREAT;
+    label patchi = -1;
+    forAll(centres_, facei)
+    {
+        const vector2& c = centres_[facei];
+        const scalar reach = lengths_[facei];
+        if
+        (
+            c(0) + reach < low(0) || c(0) - reach > high(0)
+         || c(1) + reach < low(1) || c(1) - reach > high(1)
+        )
+        {
+            continue;
+        }
+        for (label i = 0; i < points.rows(); ++i)
+        {
+            const vector2 d = points.row(i) - c;
+            const scalar depth = -d.dot(normals_[facei]);
+            const scalar beside = (d + depth*normals_[facei]).norm();
+            if (beside < reach && depth < nearest)
+            {
+                nearest = depth;
+                patchi = patches_[facei];
+            }
+        }
+    }
+
+    const scalar found = returnReduce(nearest, minOp<scalar>());
+    if (found < least*width_)
+    {
+        patchi = returnReduce
+        (
+            nearest == found ? patchi : labelMin,
+            maxOp<label>()
+        );
+        return mesh_.boundaryMesh()[patchi].name();
+    }
+    return string::null;
+}
+
+
+bool Foam::capsule::clearance::meet
+(
+    const nodalVectors& a,
+    const nodalVectors& b
+) const
+{
+    for (label i = 0; i < a.rows(); ++i)
+    {
+        const scalar nearest =
+            (b.rowwise() - a.row(i)).rowwise().squaredNorm().minCoeff();
+        if (nearest < sqr(least*width_))
+        {
+            return true;
+        }
+    }
+    return inside(a.row(0), b) || inside(b.row(0), a);
+}
