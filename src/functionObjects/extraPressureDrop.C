@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "extraPressureDrop.H"
+#include "membraneSystem.H"
 #include "flowSolver.H"
 #include "fvm.H"
 #include "fvc.H"
@@ -67,31 +68,71 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::drop
 }
 
 
-Foam::scalar Foam::functionObjects::extraPressureDrop::emptyDrop() const
+void Foam::functionObjects::extraPressureDrop::solveEmpty()
 {
     const auto& properties =
         mesh_.lookupObject<IOdictionary>("transportProperties");
     const dimensionedScalar mu("mu", dimPressure*dimTime, properties);
 
-    volVectorField U("emptyU", mesh_.lookupObject<volVectorField>("U"));
+    emptyU_.reset
+    (
+        new volVectorField("emptyU", mesh_.lookupObject<volVectorField>("U"))
+    );
+    volVectorField& U = *emptyU_;
     volScalarField p("emptyp", mesh_.lookupObject<volScalarField>("p"));
     surfaceScalarField phi("emptyPhi", fvc::flux(U));
-
-    dictionary controls
-    (
-        mesh_.solutionDict().subDict("capsuleFoam").subDict("flow")
-    );
-    controls.set("tolerance", 1e-8);
 
     Info<< type() << ' ' << name() << ": empty channel" << endl;
     autoPtr<capsule::flowSolver> flow
     (
-        capsule::flowSolver::New(controls, U, p, phi)
+        capsule::flowSolver::New
+        (
+            mesh_.solutionDict().subDict("capsuleFoam").subDict("flow"),
+            U,
+            p,
+            phi
+        )
     );
     const fvVectorMatrix UEqn(-fvm::laplacian(mu, U));
     flow->begin(UEqn);
     flow->solve(UEqn, nullptr);
-    return drop(p);
+
+    emptyDrop_ = drop(p);
+    flux_ = gSum(phi.boundaryField()[outlet_]);
+    emptyVelocity_ = interpolation<vector>::New("cellPoint", U);
+}
+
+
+Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
+{
+    const auto& system =
+        mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
+    const capsule::meshPlane& plane = system.plane();
+
+    scalar power = 0;
+    for (label i = 0; i < system.size(); ++i)
+    {
+        const capsule::membrane& m = system[i];
+        const capsule::membrane::state& now = m.now();
+        const capsule::closedCurve curve(m.basis(), now.interface);
+
+        // Each point is in one cell; on a boundary of processors either does
+        capsule::nodalScalars density(m.size());
+        for (label node = 0; node < m.size(); ++node)
+        {
+            const point x = plane.toPoint(now.interface.row(node));
+            const label celli = mesh_.findCell(x);
+            vector u(Zero);
+            if (celli != -1)
+            {
+                u = emptyVelocity_->interpolate(x, celli);
+            }
+            reduce(u, maxMagSqrOp<vector>());
+            density(node) = plane(u).dot(now.force.row(node));
+        }
+        power += plane.thickness()*curve.integral(density);
+    }
+    return -power/flux_;
 }
 
 
@@ -108,7 +149,8 @@ Foam::functionObjects::extraPressureDrop::extraPressureDrop
     writeFile(mesh_, name, typeName, dict),
     inlet_(-1),
     outlet_(-1),
-    empty_(-1)
+    emptyDrop_(0),
+    flux_(0)
 {
     read(dict);
 
@@ -140,16 +182,17 @@ bool Foam::functionObjects::extraPressureDrop::execute()
 
 bool Foam::functionObjects::extraPressureDrop::write()
 {
-    if (empty_ < 0)
+    if (!emptyU_.valid())
     {
-        empty_ = emptyDrop();
+        solveEmpty();
     }
     const scalar now = drop(mesh_.lookupObject<volScalarField>("p"));
+    const scalar extra = extraDrop();
     if (Pstream::master())
     {
         file()
-            << mesh_.time().timeOutputValue() << tab << now << tab << empty_
-            << tab << now - empty_ << endl;
+            << mesh_.time().timeOutputValue() << tab << now
+            << tab << emptyDrop_ << tab << extra << endl;
     }
     return true;
 }

@@ -299,6 +299,21 @@ Foam::capsule::immersedInterface::immersedInterface
         }
     }
 
+    cut_.resize(mesh.nCells());
+    for (const view& v : views_)
+    {
+        if (v.cell != -1)
+        {
+            cut_.set(v.cell);
+        }
+    }
+    cutVolume_ = 0;
+    for (const label celli : cut_)
+    {
+        cutVolume_ += mesh.V()[celli];
+    }
+    reduce(cutVolume_, sumOp<scalar>());
+
     beyondPoints_.reset
     (
         new jumpConditions::targets
@@ -334,7 +349,7 @@ void Foam::capsule::immersedInterface::setJumps(const jumpConditions& jumps)
 }
 
 
-void Foam::capsule::immersedInterface::addLaplacian
+Foam::vector Foam::capsule::immersedInterface::addLaplacian
 (
     const scalar mu,
     volVectorField& source
@@ -342,34 +357,54 @@ void Foam::capsule::immersedInterface::addLaplacian
 {
     const fvMesh& mesh = levelSet_.mesh();
     const surfaceScalarField& delta = mesh.nonOrthDeltaCoeffs();
+    vector total(Zero);
 
     for (const view& v : views_)
     {
         if (v.cell != -1)
         {
-            source[v.cell] +=
-                mu*onFace(delta, v.face)*onFace(mesh.magSf(), v.face)/mesh.V()[v.cell]
+            const vector flux =
+                mu*onFace(delta, v.face)*onFace(mesh.magSf(), v.face)
                *v.side*seen(U_, v);
+            source[v.cell] += flux/mesh.V()[v.cell];
+            total += flux;
         }
     }
+    return returnReduce(total, sumOp<vector>());
 }
 
 
-void Foam::capsule::immersedInterface::addGradient
+Foam::vector Foam::capsule::immersedInterface::addGradient
 (
     volVectorField& gradient
 ) const
 {
     const fvMesh& mesh = levelSet_.mesh();
+    vector total(Zero);
 
     for (const view& v : views_)
     {
         if (v.cell != -1)
         {
-            gradient[v.cell] +=
-                v.sign*onFace(mesh.Sf(), v.face)/mesh.V()[v.cell]
-               *v.weight*v.side*seen(p_, v);
+            const vector flux =
+                v.sign*onFace(mesh.Sf(), v.face)*v.weight*v.side*seen(p_, v);
+            gradient[v.cell] += flux/mesh.V()[v.cell];
+            total += flux;
         }
+    }
+    return returnReduce(total, sumOp<vector>());
+}
+
+
+void Foam::capsule::immersedInterface::addForce
+(
+    const vector& force,
+    volVectorField& source
+) const
+{
+    for (const label celli : cut_)
+    {
+        source[celli] += force/cutVolume_;
     }
 }
 
