@@ -158,6 +158,35 @@ Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::innerTraction
 }
 
 
+Foam::capsule::vector2 Foam::capsule::immersedMembrane::momentumRate() const
+{
+    const timeScheme scheme(mesh_, "ddt(U)", body_.nOld());
+
+    // Integral of the velocity over the area, by the divergence theorem
+    const auto flow = [&](const membrane::state& s)
+    {
+        const closedCurve curve(body_.basis(), s.x);
+        const nodalScalars un = dot(s.velocity, curve.normal());
+        return vector2
+        (
+            curve.integral(s.x.col(0).cwiseProduct(un)),
+            curve.integral(s.x.col(1).cwiseProduct(un))
+        );
+    };
+
+    vector2 rate = vector2::Zero();
+    if (scheme.c != 0)
+    {
+        rate = scheme.c*flow(body_.now()) - scheme.c0*flow(body_.old(0));
+    }
+    if (scheme.c00 != 0)
+    {
+        rate += scheme.c00*flow(body_.old(1));
+    }
+    return rho_/ratio_*rate;
+}
+
+
 void Foam::capsule::immersedMembrane::move
 (
     const nodalVectors& U,
@@ -202,11 +231,13 @@ Foam::capsule::immersedMembrane::immersedMembrane
     const dictionary& dict,
     const meshPlane& plane,
     const fvMesh& mesh,
+    const scalar density,
     const scalar viscosity
 )
 :
     mesh_(mesh),
     plane_(plane),
+    rho_(density),
     mu_(viscosity),
     body_(name, dict, plane, mesh),
     ratio_(body_.viscosity()/viscosity)
@@ -374,12 +405,21 @@ Foam::capsule::immersedMembrane::correct
     nodalVectors balance = F - now.force;
     if (contrast)
     {
-        balance +=
-            (1 - ratio_)
-           *(
-                innerTraction(inner)
-              + unstacked(traction_*unresolved + 0.5*unresolved)
-            );
+        nodalVectors traction =
+            innerTraction(inner)
+          + unstacked(traction_*unresolved + 0.5*unresolved);
+
+        // The resultant is known: the rate of momentum of the liquid inside
+        const vector2 excess =
+            vector2
+            (
+                curve.integral(traction.col(0)),
+                curve.integral(traction.col(1))
+            )
+          - momentumRate();
+        traction.rowwise() -= excess/curve.perimeter();
+
+        balance += (1 - ratio_)*traction;
     }
 
     const timeScheme scheme(mesh_, "ddt(membranes)", body_.nOld());

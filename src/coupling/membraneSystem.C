@@ -52,7 +52,10 @@ void Foam::capsule::membraneSystem::readMembranes()
         const label i = parts_.size();
         parts_.append
         (
-            new immersedMembrane(e.keyword(), e.dict(), plane_, mesh_, mu_)
+            new immersedMembrane
+            (
+                e.keyword(), e.dict(), plane_, mesh_, rho_, mu_
+            )
         );
 
         points.append(parts_[i].body().now().x);

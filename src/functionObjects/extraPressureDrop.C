@@ -73,13 +73,18 @@ void Foam::functionObjects::extraPressureDrop::solveEmpty()
     const auto& properties =
         mesh_.lookupObject<IOdictionary>("transportProperties");
     const dimensionedScalar mu("mu", dimPressure*dimTime, properties);
+    mu_ = mu.value();
 
     emptyU_.reset
     (
         new volVectorField("emptyU", mesh_.lookupObject<volVectorField>("U"))
     );
+    emptyp_.reset
+    (
+        new volScalarField("emptyp", mesh_.lookupObject<volScalarField>("p"))
+    );
     volVectorField& U = *emptyU_;
-    volScalarField p("emptyp", mesh_.lookupObject<volScalarField>("p"));
+    volScalarField& p = *emptyp_;
     surfaceScalarField phi("emptyPhi", fvc::flux(U));
 
     Info<< type() << ' ' << name() << ": empty channel" << endl;
@@ -99,7 +104,6 @@ void Foam::functionObjects::extraPressureDrop::solveEmpty()
 
     emptyDrop_ = drop(p);
     flux_ = gSum(phi.boundaryField()[outlet_]);
-    emptyVelocity_ = interpolation<vector>::New("cellPoint", U);
 }
 
 
@@ -107,32 +111,49 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
 {
     const auto& system =
         mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
-    const capsule::meshPlane& plane = system.plane();
+
+    using capsule::dot;
+    using capsule::nodalScalars;
+    using capsule::nodalVectors;
 
     scalar power = 0;
     for (label i = 0; i < system.size(); ++i)
     {
         const capsule::membrane& m = system[i];
-        const capsule::membrane::state& now = m.now();
-        const capsule::closedCurve curve(m.basis(), now.interface);
+        const capsule::closedCurve curve(m.basis(), m.now().interface);
+        const nodalVectors& n = curve.normal();
+        const nodalVectors F = m.force(m.curve(), curve.metric());
 
-        // Each point is in one cell; on a boundary of processors either does
-        capsule::nodalScalars density(m.size());
-        for (label node = 0; node < m.size(); ++node)
+        // No net flux, so that the level of the pressure has no weight
+        nodalVectors U = m.now().velocity;
+        U -= curve.integral(dot(U, n))/curve.perimeter()*n;
+
+        // u.sigma0.n = -p0 u.n + mu sum u_i (du0_i/dx_j + du0_j/dx_i) n_j
+        const capsule::oneSidedFit::fitted empty =
+            system.fit(i).smooth(*emptyU_, *emptyp_);
+        nodalScalars work =
+            -nodalScalars(empty.value.col(2)).cwiseProduct(dot(U, n));
+        for (label a = 0; a < 2; ++a)
         {
-            const point x = plane.toPoint(now.interface.row(node));
-            const label celli = mesh_.findCell(x);
-            vector u(Zero);
-            if (celli != -1)
+            for (label b = 0; b < 2; ++b)
             {
-                u = emptyVelocity_->interpolate(x, celli);
+                work +=
+                    mu_*U.col(a).cwiseProduct(n.col(b)).cwiseProduct
+                    (
+                        empty.gradient[b].col(a) + empty.gradient[a].col(b)
+                    );
             }
-            reduce(u, maxMagSqrOp<vector>());
-            density(node) = plane(u).dot(now.force.row(node));
         }
-        power += plane.thickness()*curve.integral(density);
+
+        power +=
+            system.plane().thickness()
+           *curve.integral
+            (
+                (m.viscosity()/mu_ - 1)*work
+              - dot(F, empty.value.leftCols(2))
+            );
     }
-    return -power/flux_;
+    return power/flux_;
 }
 
 
@@ -149,6 +170,7 @@ Foam::functionObjects::extraPressureDrop::extraPressureDrop
     writeFile(mesh_, name, typeName, dict),
     inlet_(-1),
     outlet_(-1),
+    mu_(0),
     emptyDrop_(0),
     flux_(0)
 {

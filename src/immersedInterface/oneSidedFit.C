@@ -54,6 +54,62 @@ Foam::capsule::nodalMatrix Foam::capsule::oneSidedFit::gather
 }
 
 
+Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::fit
+(
+    const volVectorField& U,
+    const volScalarField* p,
+    const bool jumping
+) const
+{
+    const membraneLevelSet& distance = interface_.distance();
+    const labelUList& cells = distance.cells();
+    const label components = (p ? 3 : 2);
+
+    // Values as the inner side sees them
+    nodalMatrix local(cells.size(), components);
+    forAll(cells, i)
+    {
+        const label celli = cells[i];
+        const bool outside = (jumping && distance.side()[celli] > 0);
+
+        vector u = U[celli];
+        if (outside)
+        {
+            u -= interface_.jumpU()[celli];
+        }
+        local.block<1, 2>(i, 0) = distance.plane()(u);
+
+        if (p)
+        {
+            local(i, 2) =
+                (*p)[celli] - (outside ? interface_.jumpp()[celli] : 0);
+        }
+    }
+    const nodalMatrix values = gather(local);
+
+    const label n = stencils_.size();
+    fitted result;
+    result.value.resize(n, components);
+    result.gradient[0].resize(n, components);
+    result.gradient[1].resize(n, components);
+
+    forAll(stencils_, node)
+    {
+        const labelList& stencil = stencils_[node];
+        nodalMatrix f(stencil.size(), components);
+        forAll(stencil, i)
+        {
+            f.row(i) = values.row(stencil[i]);
+        }
+        const nodalMatrix fit = rows_[node]*f;
+        result.value.row(node) = fit.row(0);
+        result.gradient[0].row(node) = fit.row(1);
+        result.gradient[1].row(node) = fit.row(2);
+    }
+    return result;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::oneSidedFit::oneSidedFit(const immersedInterface& interface)
@@ -119,61 +175,4 @@ Foam::capsule::oneSidedFit::oneSidedFit(const immersedInterface& interface)
         rows_[node] = inverse.topRows<3>()*weight.asDiagonal();
         rows_[node].bottomRows<2>() /= distance.width();
     }
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::operator()
-(
-    const volVectorField& U,
-    const volScalarField* p
-) const
-{
-    const membraneLevelSet& distance = interface_.distance();
-    const labelUList& cells = distance.cells();
-    const label components = (p ? 3 : 2);
-
-    // Values as the inner side sees them
-    nodalMatrix local(cells.size(), components);
-    forAll(cells, i)
-    {
-        const label celli = cells[i];
-        const bool outside = (distance.side()[celli] > 0);
-
-        vector u = U[celli];
-        if (outside)
-        {
-            u -= interface_.jumpU()[celli];
-        }
-        local.block<1, 2>(i, 0) = distance.plane()(u);
-
-        if (p)
-        {
-            local(i, 2) =
-                (*p)[celli] - (outside ? interface_.jumpp()[celli] : 0);
-        }
-    }
-    const nodalMatrix values = gather(local);
-
-    const label n = stencils_.size();
-    fitted result;
-    result.value.resize(n, components);
-    result.gradient[0].resize(n, components);
-    result.gradient[1].resize(n, components);
-
-    forAll(stencils_, node)
-    {
-        const labelList& stencil = stencils_[node];
-        nodalMatrix f(stencil.size(), components);
-        forAll(stencil, i)
-        {
-            f.row(i) = values.row(stencil[i]);
-        }
-        const nodalMatrix fit = rows_[node]*f;
-        result.value.row(node) = fit.row(0);
-        result.gradient[0].row(node) = fit.row(1);
-        result.gradient[1].row(node) = fit.row(2);
-    }
-    return result;
 }
