@@ -135,29 +135,6 @@ void Foam::capsule::immersedMembrane::setResponse(const couplingMethod& method)
 }
 
 
-Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::innerTraction
-(
-    const oneSidedFit::fitted& inner
-) const
-{
-    const nodalVectors& n = interface_->distance().curve().normal();
-    nodalVectors traction = scaled(-inner.value.col(2), n);
-
-    for (label i = 0; i < 2; ++i)
-    {
-        for (label j = 0; j < 2; ++j)
-        {
-            traction.col(i) +=
-                mu_*n.col(j).cwiseProduct
-                (
-                    inner.gradient[j].col(i) + inner.gradient[i].col(j)
-                );
-        }
-    }
-    return traction;
-}
-
-
 Foam::capsule::vector2 Foam::capsule::immersedMembrane::momentumRate() const
 {
     const timeScheme scheme(mesh_, "ddt(U)", body_.nOld());
@@ -406,7 +383,7 @@ Foam::capsule::immersedMembrane::correct
     if (contrast)
     {
         nodalVectors traction =
-            innerTraction(inner)
+            inner.traction(curve.normal(), mu_)
           + unstacked(traction_*unresolved + 0.5*unresolved);
 
         // The resultant is known: the rate of momentum of the liquid inside

@@ -113,7 +113,6 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
         mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
 
     using capsule::dot;
-    using capsule::nodalScalars;
     using capsule::nodalVectors;
 
     scalar power = 0;
@@ -128,28 +127,14 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
         nodalVectors U = m.now().velocity;
         U -= curve.integral(dot(U, n))/curve.perimeter()*n;
 
-        // u.sigma0.n = -p0 u.n + mu sum u_i (du0_i/dx_j + du0_j/dx_i) n_j
         const capsule::oneSidedFit::fitted empty =
             system.fit(i).smooth(*emptyU_, *emptyp_);
-        nodalScalars work =
-            -nodalScalars(empty.value.col(2)).cwiseProduct(dot(U, n));
-        for (label a = 0; a < 2; ++a)
-        {
-            for (label b = 0; b < 2; ++b)
-            {
-                work +=
-                    mu_*U.col(a).cwiseProduct(n.col(b)).cwiseProduct
-                    (
-                        empty.gradient[b].col(a) + empty.gradient[a].col(b)
-                    );
-            }
-        }
 
         power +=
             system.plane().thickness()
            *curve.integral
             (
-                (m.viscosity()/mu_ - 1)*work
+                (m.viscosity()/mu_ - 1)*dot(U, empty.traction(n, mu_))
               - dot(F, empty.value.leftCols(2))
             );
     }

@@ -176,3 +176,27 @@ Foam::capsule::oneSidedFit::oneSidedFit(const immersedInterface& interface)
         rows_[node].bottomRows<2>() /= distance.width();
     }
 }
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::capsule::nodalVectors Foam::capsule::oneSidedFit::fitted::traction
+(
+    const nodalVectors& n,
+    const scalar mu
+) const
+{
+    nodalVectors result = scaled(-value.col(2), n);
+    for (label i = 0; i < 2; ++i)
+    {
+        for (label j = 0; j < 2; ++j)
+        {
+            result.col(i) +=
+                mu*n.col(j).cwiseProduct
+                (
+                    gradient[j].col(i) + gradient[i].col(j)
+                );
+        }
+    }
+    return result;
+}
