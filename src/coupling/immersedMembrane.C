@@ -280,7 +280,7 @@ void Foam::capsule::immersedMembrane::predict(const couplingMethod& method)
         now.force += dt/dt0*(body_.old(0).force - body_.old(1).force);
     }
     const closedCurve& curve = interface_->distance().curve();
-    explicitForce_ = body_.force(curve, curve.metric());
+    explicitForce_ = body_.force(ahead, curve.metric());
     setResponse(method);
 }
 

@@ -63,8 +63,8 @@ void Foam::capsule::membraneSystem::readMembranes()
         if (!near.empty())
         {
             FatalIOErrorInFunction(e.dict())
-                << "Membrane " << e.keyword() << " touches or crosses " << near
-                << nl << "    Membranes must lie inside the mesh, at least "
+                << "Membrane " << e.keyword() << " touches or crosses "
+                << near.c_str() << nl << "    Membranes must lie inside the mesh, at least "
                 << clearance::least << " cell widths from its boundaries and"
                 << " from each other; see the entries of shape."
                 << exit(FatalIOError);
@@ -309,7 +309,7 @@ bool Foam::capsule::membraneSystem::canGoOn() const
         {
             Info<< nl << "Membrane " << parts_[i].body().name()
                 << " comes closer than " << clearance::least
-                << " cell widths to " << near
+                << " cell widths to " << near.c_str()
                 << ": the run ends here, with its state written" << nl << endl;
             return false;
         }

@@ -31,6 +31,7 @@ Description
 #include "extrapolatedFlux.H"
 #include "flowSolver.H"
 #include "membraneSystem.H"
+#include "functionObject.H"
 #include "profiling.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
@@ -45,10 +46,33 @@ int main(int argc, char *argv[])
 
     #include "postProcess.H"
 
-    #include "addCheckCaseOptions.H"
+    argList::addBoolOption
+    (
+        "dry-run",
+        "Check the case, membranes in their mesh included, by one time step;"
+        " write no times"
+    );
+
     #include "setRootCaseLists.H"
     #include "createTime.H"
-    #include "createMesh.H"
+
+    // Not createMesh.H, whose dry run has a mesh without room for membranes
+    fvMesh mesh
+    (
+        IOobject
+        (
+            fvMesh::defaultRegion,
+            runTime.timeName(),
+            runTime,
+            IOobject::MUST_READ
+        )
+    );
+    if (args.found("dry-run"))
+    {
+        runTime.stopAt(Time::saNoWriteNow);
+        functionObject::outputPrefix = "postProcessing-dry-run";
+    }
+
     #include "createFields.H"
     #include "createTimeControls.H"
     #include "CourantNo.H"
