@@ -44,6 +44,7 @@ static scalar rms(const nodalVectors& v)
 
 const Foam::scalar Foam::capsule::immersedMembrane::forceWaves_ = 1.0;
 const Foam::scalar Foam::capsule::immersedMembrane::shapeWaves_ = 1.6;
+const Foam::scalar Foam::capsule::immersedMembrane::motionWaves_ = 3;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -116,6 +117,7 @@ void Foam::capsule::immersedMembrane::setResponse(const couplingMethod& method)
     const timeScheme scheme(mesh_, "ddt(membranes)", body_.nOld());
 
     resolving_ = filter(curve, forceWaves_);
+    moving_ = filter(curve, motionWaves_);
     velocity_ = freeSpaceResponse::velocity(curve, mu_);
 
     nodalMatrix derivative = 0.5*(1 + ratio_)*nodalMatrix::Identity(n, n);
@@ -129,7 +131,10 @@ void Foam::capsule::immersedMembrane::setResponse(const couplingMethod& method)
     }
     if (method.usesResponse() && method.implicitStress())
     {
-        derivative -= body_.forceJacobian(curve)*velocity_/scheme.c;
+        nodalMatrix displacement(n, n);
+        displacement << moving_*velocity_.topRows(n/2),
+            moving_*velocity_.bottomRows(n/2);
+        derivative -= body_.forceJacobian(curve)*displacement/scheme.c;
     }
     balance_.compute(derivative);
 }
@@ -174,7 +179,7 @@ void Foam::capsule::immersedMembrane::move
     const timeScheme scheme(mesh_, "ddt(membranes)", body_.nOld());
     membrane::state& now = body_.now();
 
-    now.velocity = U;
+    now.velocity = moving_*U;
     if (conserveArea)
     {
         // The net flux through the membrane that interpolation makes

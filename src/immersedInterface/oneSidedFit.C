@@ -186,7 +186,13 @@ Foam::capsule::nodalVectors Foam::capsule::oneSidedFit::fitted::traction
     const scalar mu
 ) const
 {
-    nodalVectors result = scaled(-value.col(2), n);
+    // The interpolation of velocity to faces leaves an error of second order in
+    // the fluxes, which jumps at the membrane: a layer of divergence s in the
+    // cut cells, of first order, and in it a pressure of mu s too much. So the
+    // divergence that the fit sees is taken off the pressure.
+    const nodalScalars divergence = gradient[0].col(0) + gradient[1].col(1);
+    nodalVectors result =
+        scaled(-nodalScalars(value.col(2)) - mu*divergence, n);
     for (label i = 0; i < 2; ++i)
     {
         for (label j = 0; j < 2; ++j)

@@ -73,20 +73,51 @@ void Foam::capsule::bendingModels::Helfrich::addJacobian
     nodalMatrix& jacobian
 ) const
 {
-    // Normal displacement w changes the curvature by -w'' to leading order
+    // With x' = dx/dalpha, g = |x'|, kappa = x' x x''/g^3:
+    //     dg = t.dx',  dn = -t (n.dx')/g
+    //     dkappa = (dx' x x'' + x' x dx'')/g^3 - 3 kappa dg/g
+    //     dq = -q dg/g + (B dkappa)'/g
     const label n = curve.size();
-    const nodalMatrix d =
-        curve.metric().cwiseInverse().asDiagonal()*curve.basis().derivative();
+    const nodalMatrix& d = curve.basis().derivative();
     const nodalMatrix d2 = d*d;
-    const nodalMatrix d4 = -modulus_*(d2*d2);
+    const nodalVectors x1 = d*curve.nodes();
+    const nodalVectors x2 = d*x1;
+    const nodalVectors& t = curve.tangent();
+    const nodalScalars perLength = curve.metric().cwiseInverse();
+    const nodalScalars perCube = perLength.array().cube();
+    const nodalScalars q =
+        curve.ds(nodalScalars(modulus_*(curve.curvature() - reference_)));
 
-    for (label i = 0; i < 2; ++i)
+    for (label j = 0; j < 2; ++j)
     {
-        for (label j = 0; j < 2; ++j)
+        const label other = 1 - j;
+        const scalar sign = (j == 0 ? 1 : -1);
+        const nodalMatrix dg = t.col(j).asDiagonal()*d;
+
+        nodalMatrix dkappa =
+            nodalScalars(sign*perCube.cwiseProduct(x2.col(other))).asDiagonal()
+           *d;
+        dkappa -=
+            nodalScalars(sign*perCube.cwiseProduct(x1.col(other))).asDiagonal()
+           *d2;
+        dkappa -=
+            nodalScalars
+            (
+                3*curve.curvature().cwiseProduct(perLength)
+            ).asDiagonal()*dg;
+
+        nodalMatrix dq = modulus_*(perLength.asDiagonal()*(d*dkappa));
+        dq -= nodalScalars(q.cwiseProduct(perLength)).asDiagonal()*dg;
+
+        for (label i = 0; i < 2; ++i)
         {
+            const nodalScalars turning =
+                q.cwiseProduct(perLength).cwiseProduct(t.col(i))
+               .cwiseProduct(curve.normal().col(j));
+            nodalMatrix resultant = curve.normal().col(i).asDiagonal()*dq;
+            resultant -= turning.asDiagonal()*d;
             jacobian.block(i*n, j*n, n, n) +=
-                curve.normal().col(i).asDiagonal()*d4
-               *curve.normal().col(j).asDiagonal();
+                perLength.asDiagonal()*(d*resultant);
         }
     }
 }

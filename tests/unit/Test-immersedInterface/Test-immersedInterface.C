@@ -180,12 +180,19 @@ int main(int argc, char *argv[])
     // Balance of real stress by the equivalent force, see membraneSystem
     const oneSidedFit fit(interface);
     const label n = 2*basis.size();
+    const nodalMatrix shortWaves = freeSpaceResponse::traction(curve);
     const nodalMatrix derivative =
         0.5*(1 + lambda)*nodalMatrix::Identity(n, n)
-      - (1 - lambda)*freeSpaceResponse::traction(curve);
+      - (1 - lambda)*shortWaves;
     const Eigen::PartialPivLU<nodalMatrix> balance(derivative);
     couplingMethods::quasiNewton method{dictionary()};
     method.start();
+
+    // The mesh takes the long waves of the force, see immersedMembrane
+    const nodalMatrix filter =
+        basis.lowPass(curve.perimeter()/(constant::mathematical::twoPi*h));
+    const nodalVectors& normal = curve.normal();
+    const nodalVectors& tangent = curve.tangent();
 
     flowSolver::sources sources(mesh);
     nodalVectors equivalent = f;
@@ -194,12 +201,17 @@ int main(int argc, char *argv[])
     scalar net = 0;
     while (imbalance > 1e-9 && iterations < 60)
     {
+        const nodalVectors resolved =
+            scaled(filter*dot(equivalent, normal), normal)
+          + scaled(filter*dot(equivalent, tangent), tangent);
+        const nodalVectors unresolved = equivalent - resolved;
+
         sources.clear();
         interface.setJumps
         (
             jumpConditions
             (
-                curve, equivalent, nodalVectors::Zero(basis.size(), 2), 1
+                curve, resolved, nodalVectors::Zero(basis.size(), 2), 1
             )
         );
         const vector sum =
@@ -210,9 +222,16 @@ int main(int argc, char *argv[])
         interface.addForce(-sum, sources.momentum);
         flow->solve(UEqn, &sources);
 
+        const nodalScalars remote =
+            shortWaves*Eigen::Map<const nodalScalars>(unresolved.data(), n);
         const nodalVectors left =
             f - equivalent
-          + (1 - lambda)*fit(U, &p).traction(curve.normal(), 1);
+          + (1 - lambda)
+           *(
+                fit(U, &p).traction(normal, 1)
+              + Eigen::Map<const nodalVectors>(remote.data(), n/2, 2)
+              + 0.5*unresolved
+            );
         const nodalScalars step = balance.solve
         (
             Eigen::Map<const nodalScalars>(left.data(), n)
