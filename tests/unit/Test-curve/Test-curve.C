@@ -17,6 +17,7 @@ Description
 
 #include "closedCurve.H"
 #include "elasticLaw.H"
+#include "bendingModel.H"
 #include "freeSpaceResponse.H"
 #include "mathematicalConstants.H"
 #include "IOstreams.H"
@@ -120,6 +121,59 @@ int main()
             "force on a circle of constant tension",
             (F + 2*circle.normal()).cwiseAbs().maxCoeff(), 1e-10
         );
+    }
+
+    // Bending: the derivative of the force against central differences, on an
+    // ellipse away from its reference circle, displaced by a smooth wave
+    {
+        IStringStream is("type Helfrich; bendingModulus 0.7;");
+        autoPtr<bendingModel> bending
+        (
+            bendingModel::New(dictionary(is))
+        );
+        bending->setReference(closedCurve(basis, ellipse(basis, 1.5, 1.5)));
+
+        const nodalVectors x = ellipse(basis, 2, 1);
+        nodalVectors dx(basis.size(), 2);
+        for (label i = 0; i < basis.size(); ++i)
+        {
+            dx.row(i) = vector2
+            (
+                std::cos(3*basis.alpha(i)), std::sin(2*basis.alpha(i) + 1)
+            );
+        }
+        const closedCurve curve(basis, x);
+        const auto force = [&](const scalar step)
+        {
+            const closedCurve displaced(basis, x + step*dx);
+            nodalVectors resultant = nodalVectors::Zero(basis.size(), 2);
+            bending->addResultant(displaced, resultant);
+            return curve.ds(resultant);
+        };
+        const nodalVectors slope = (force(1e-5) - force(-1e-5))/2e-5;
+
+        nodalMatrix jacobian =
+            nodalMatrix::Zero(2*basis.size(), 2*basis.size());
+        bending->addJacobian(curve, jacobian);
+        const nodalScalars product =
+            jacobian*Eigen::Map<const nodalScalars>(dx.data(), dx.size());
+        check
+        (
+            "derivative of the bending force, relative",
+            (
+                product
+              - Eigen::Map<const nodalScalars>(slope.data(), slope.size())
+            ).norm()/slope.norm(),
+            1e-6
+        );
+
+        // A circle at its reference has none
+        nodalVectors none = nodalVectors::Zero(basis.size(), 2);
+        bending->addResultant
+        (
+            closedCurve(basis, ellipse(basis, 1.5, 1.5)), none
+        );
+        check("bending of the reference", none.cwiseAbs().maxCoeff(), 1e-9);
     }
 
     // A normal force cos(m theta) on a circle of radius R in one viscosity
