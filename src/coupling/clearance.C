@@ -17,38 +17,6 @@ License
 const Foam::scalar Foam::capsule::clearance::least = 1;
 
 
-// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace capsule
-{
-
-//- Is x inside the polygon of the given corners?
-static bool inside(const vector2& x, const nodalVectors& corners)
-{
-    bool result = false;
-    vector2 a = corners.row(corners.rows() - 1);
-    for (label i = 0; i < corners.rows(); ++i)
-    {
-        const vector2 b = corners.row(i);
-        if
-        (
-            (a(1) > x(1)) != (b(1) > x(1))
-         && x(0) < a(0) + (x(1) - a(1))/(b(1) - a(1))*(b(0) - a(0))
-        )
-        {
-            result = !result;
-        }
-        a = b;
-    }
-    return result;
-}
-
-} // End namespace capsule
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::clearance::clearance
@@ -154,5 +122,5 @@ bool Foam::capsule::clearance::meet
             return true;
         }
     }
-    return inside(a.row(0), b) || inside(b.row(0), a);
+    return inPolygon(a.row(0), b) || inPolygon(b.row(0), a);
 }

@@ -36,27 +36,6 @@ void Foam::capsule::membraneLevelSet::project
 }
 
 
-bool Foam::capsule::membraneLevelSet::inPolygon(const vector2& x) const
-{
-    bool inside = false;
-    vector2 a = plane_(samples_.last());
-    for (const point& sample : samples_)
-    {
-        const vector2 b = plane_(sample);
-        if
-        (
-            (a(1) > x(1)) != (b(1) > x(1))
-         && x(0) < a(0) + (x(1) - a(1))/(b(1) - a(1))*(b(0) - a(0))
-        )
-        {
-            inside = !inside;
-        }
-        a = b;
-    }
-    return inside;
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::membraneLevelSet::membraneLevelSet
@@ -89,6 +68,7 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
         dimensionedScalar("one", dimless, 1)
     )
 {
+    const nodalVectors corners = curve.sampled(samples_.size());
     treeBoundBox bounds(samples_);
     bounds.min() -= vector::uniform(plane.thickness());
     bounds.max() += vector::uniform(plane.thickness());
@@ -157,7 +137,7 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
             alphas.append(alpha);
             distances.append(distance);
         }
-        else if (inPolygon(plane(c)))
+        else if (inPolygon(plane(c), corners))
         {
             side_[celli] = -1;
         }
