@@ -233,6 +233,7 @@ void Foam::capsule::immersedMembrane::start(const volVectorField& U)
     membrane::state& now = body_.now();
     interface_.reset(placed(now.interface));
     setJumps(*interface_, now);
+    fit_.reset(new oneSidedFit(*interface_));
 
     if (body_.nOld() > 0)
     {
@@ -242,8 +243,7 @@ void Foam::capsule::immersedMembrane::start(const volVectorField& U)
     else
     {
         // No velocity yet but that of the initial field
-        oneSidedFit fit(*interface_);
-        now.velocity = fit(U, nullptr).value;
+        now.velocity = (*fit_)(U, nullptr).value;
     }
 }
 
