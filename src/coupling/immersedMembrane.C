@@ -183,7 +183,8 @@ void Foam::capsule::immersedMembrane::move
     if (conserveArea)
     {
         // The net flux through the membrane that interpolation makes
-        const scalar flux = curve.integral(dot(U, curve.normal()));
+        const scalar flux =
+            curve.integral(dot(now.velocity, curve.normal()));
         now.velocity -= flux/curve.perimeter()*curve.normal();
     }
 

@@ -64,7 +64,8 @@ void Foam::capsule::membraneSystem::readMembranes()
         {
             FatalIOErrorInFunction(e.dict())
                 << "Membrane " << e.keyword() << " touches or crosses "
-                << near.c_str() << nl << "    Membranes must lie inside the mesh, at least "
+                << near.c_str() << nl
+                << "    Membranes must lie inside the mesh, at least "
                 << clearance::least << " cell widths from its boundaries and"
                 << " from each other; see the entries of shape."
                 << exit(FatalIOError);
