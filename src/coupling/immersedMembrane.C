@@ -346,6 +346,7 @@ void Foam::capsule::immersedMembrane::addSources
         interface_->addLaplacian(mu_, sources.momentum)
       - interface_->addGradient(sources.gradient);
     interface_->addFlux(sources.flux, sources.pressureFlux);
+    interface_->addDivergence(sources.divergence);
 
     // Momentum is conserved only to the order of the jumps: what is missing of
     // the membrane's resultant would show as noise of the pressure drop

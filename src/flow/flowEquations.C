@@ -83,6 +83,10 @@ Foam::capsule::nodalScalars Foam::capsule::flowEquations::residual
     }
 
     scalarField continuity(-fvc::div(phi_)().primitiveField());
+    if (extra)
+    {
+        continuity += extra->divergence.primitiveField();
+    }
     if (pRefCell_ != -1)
     {
         // The last equation left over by those of the other cells
@@ -171,6 +175,12 @@ Foam::capsule::flowEquations::sources::sources(const fvMesh& mesh)
         IOobject("interfacePressureFlux", mesh.time().timeName(), mesh),
         mesh,
         dimensionedScalar(dimPressure*dimLength, Zero)
+    ),
+    divergence
+    (
+        IOobject("interfaceDivergence", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimless/dimTime, Zero)
     )
 {
     flux.setOriented();
@@ -184,6 +194,7 @@ void Foam::capsule::flowEquations::sources::clear()
     gradient = dimensionedVector(gradient.dimensions(), Zero);
     flux = dimensionedScalar(flux.dimensions(), Zero);
     pressureFlux = dimensionedScalar(pressureFlux.dimensions(), Zero);
+    divergence = dimensionedScalar(divergence.dimensions(), Zero);
 }
 
 

@@ -141,7 +141,9 @@ void Foam::capsule::immersedInterface::addFace
     const scalar sideN,
     const scalar weight,
     DynamicList<scalar>& alphas,
-    DynamicList<scalar>& depths
+    DynamicList<scalar>& depths,
+    DynamicList<scalar>& centreAlphas,
+    DynamicList<scalar>& centreDepths
 )
 {
     const fvMesh& mesh = levelSet_.mesh();
@@ -164,6 +166,9 @@ void Foam::capsule::immersedInterface::addFace
             patchi == -1 ? neighbour : -1, own, -1, facei, -1, sideN,
             side == sideN, weight
         });
+        borrowed_.append(views_.size() - (side == sideP ? 1 : 2));
+        centreAlphas.append(alpha);
+        centreDepths.append(atCentre);
     }
 
     // From the centre to each end at most one crossing is looked for
@@ -258,6 +263,8 @@ Foam::capsule::immersedInterface::immersedInterface
 
     DynamicList<scalar> alphas;
     DynamicList<scalar> depths;
+    DynamicList<scalar> centreAlphas;
+    DynamicList<scalar> centreDepths;
 
     for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
     {
@@ -269,7 +276,7 @@ Foam::capsule::immersedInterface::immersedInterface
                 facei, -1, N,
                 side[mesh.owner()[facei]], side[N],
                 mesh.weights()[facei],
-                alphas, depths
+                alphas, depths, centreAlphas, centreDepths
             );
         }
     }
@@ -293,7 +300,7 @@ Foam::capsule::immersedInterface::immersedInterface
                     patch.start() + i, patchi, i,
                     side[patch.faceCells()[i]], beyondPatch[i],
                     mesh.weights().boundaryField()[patchi][i],
-                    alphas, depths
+                    alphas, depths, centreAlphas, centreDepths
                 );
             }
         }
@@ -323,6 +330,21 @@ Foam::capsule::immersedInterface::immersedInterface
             Eigen::Map<const nodalScalars>(depths.cdata(), depths.size())
         )
     );
+    centres_.reset
+    (
+        new jumpConditions::targets
+        (
+            curve,
+            Eigen::Map<const nodalScalars>
+            (
+                centreAlphas.cdata(), centreAlphas.size()
+            ),
+            Eigen::Map<const nodalScalars>
+            (
+                centreDepths.cdata(), centreDepths.size()
+            )
+        )
+    );
 }
 
 
@@ -346,6 +368,29 @@ void Foam::capsule::immersedInterface::setJumps(const jumpConditions& jumps)
     takeNeighbours(gradp_);
 
     beyondU_ = jumps.velocity(*beyondPoints_);
+
+    const Pair<nodalVectors> curvature
+    (
+        jumps.velocityCurvature(*centres_, 0),
+        jumps.velocityCurvature(*centres_, 1)
+    );
+    const fvMesh& mesh = levelSet_.mesh();
+    interpolationError_.resize(borrowed_.size());
+    forAll(borrowed_, i)
+    {
+        const view& v = views_[borrowed_[i]];
+        const vector2 S = levelSet_.plane()(onFace(mesh.Sf(), v.face));
+        const label normal = (mag(S(0)) > mag(S(1)) ? 0 : 1);
+        const scalar across = 1/onFace(mesh.nonOrthDeltaCoeffs(), v.face);
+        const scalar along = S.norm()/levelSet_.plane().thickness();
+        interpolationError_(i) =
+            (S(normal) < 0 ? -1 : 1)
+           *(
+                0.5*v.weight*(1 - v.weight)*sqr(across)
+               *curvature[normal](i, normal)
+              - sqr(along)/24*curvature[1 - normal](i, normal)
+            );
+    }
 }
 
 
@@ -442,5 +487,45 @@ void Foam::capsule::immersedInterface::addFlux
         const beyond& b = beyond_[i];
         const vector U = levelSet_.plane().toVector(beyondU_.row(i));
         addOnFace(flux, b.face, b.weight*(U & onFace(mesh.Sf(), b.face)));
+    }
+}
+
+
+void Foam::capsule::immersedInterface::addDivergence
+(
+    volScalarField& divergence
+) const
+{
+    const fvMesh& mesh = levelSet_.mesh();
+    scalar total = 0;
+
+    forAll(borrowed_, i)
+    {
+        const view& v = views_[borrowed_[i]];
+        if (v.cell != -1)
+        {
+            const scalar flux =
+               -v.sign*v.side*interpolationError_(i)
+               *onFace(mesh.magSf(), v.face);
+            divergence[v.cell] += flux/mesh.V()[v.cell];
+            total += flux;
+        }
+    }
+
+    // No net source: spread over the inside
+    const volScalarField& side = levelSet_.side();
+    scalar inside = 0;
+    forAll(side, celli)
+    {
+        inside += (side[celli] < 0 ? mesh.V()[celli] : 0);
+    }
+    reduce(total, sumOp<scalar>());
+    reduce(inside, sumOp<scalar>());
+    forAll(side, celli)
+    {
+        if (side[celli] < 0)
+        {
+            divergence[celli] -= total/inside;
+        }
     }
 }

@@ -28,7 +28,8 @@ enum term
     P2,
     S0,             // d/ds of P0, P1
     S1,
-    KAPPA
+    KAPPA,
+    US              // d/ds of U1
 };
 
 } // End namespace capsule
@@ -63,7 +64,7 @@ Foam::capsule::jumpConditions::jumpConditions
     const scalar mu
 )
 :
-    terms_(curve.size(), 10)
+    terms_(curve.size(), 12)
 {
     const nodalVectors& n = curve.normal();
     const nodalVectors& t = curve.tangent();
@@ -90,6 +91,7 @@ Foam::capsule::jumpConditions::jumpConditions
     terms_.col(S0) = p0s;
     terms_.col(S1) = curve.ds(p1);
     terms_.col(KAPPA) = kappa;
+    terms_.middleCols<2>(US) = curve.ds(scaled(b, t));
 }
 
 
@@ -104,6 +106,26 @@ Foam::capsule::nodalVectors Foam::capsule::jumpConditions::velocity
     const nodalScalars& d = at.distance;
 
     return scaled(d, u.leftCols(2)) + scaled(d.cwiseAbs2()/2, u.rightCols(2));
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::jumpConditions::velocityCurvature
+(
+    const targets& at,
+    const label i
+) const
+{
+    const nodalMatrix u = at.interpolation*terms_;
+    const nodalScalars n = at.normal.col(i);
+    const nodalScalars t = (i == 0 ? -1 : 1)*at.normal.col(1 - i);
+
+    return
+        scaled(n.cwiseAbs2(), u.middleCols<2>(U2))
+      + scaled(2*n.cwiseProduct(t), u.middleCols<2>(US))
+      + scaled
+        (
+            t.cwiseAbs2().cwiseProduct(u.col(KAPPA)), u.middleCols<2>(U1)
+        );
 }
 
 
