@@ -14,6 +14,7 @@ License
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 const Foam::scalar Foam::capsule::oneSidedFit::radius = 3.1;
+const Foam::scalar Foam::capsule::oneSidedFit::reach = 2;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -126,10 +127,12 @@ Foam::capsule::oneSidedFit::oneSidedFit(const immersedInterface& interface)
     Pstream::gatherList(sizes_);
     Pstream::scatterList(sizes_);
 
-    nodalMatrix local(cells.size(), 2);
+    nodalMatrix local(cells.size(), 3);
     forAll(cells, i)
     {
-        local.row(i) = distance.plane()(distance.mesh().C()[cells[i]]);
+        local.row(i).head<2>() =
+            distance.plane()(distance.mesh().C()[cells[i]]);
+        local(i, 2) = distance.distance()(i)/distance.width();
     }
     const nodalMatrix centres = gather(local);
 
@@ -140,7 +143,9 @@ Foam::capsule::oneSidedFit::oneSidedFit(const immersedInterface& interface)
         DynamicList<label> near;
         for (label i = 0; i < centres.rows(); ++i)
         {
-            if ((centres.row(i) - curve.nodes().row(node)).norm() < r)
+            const vector2 d =
+                centres.row(i).head<2>() - curve.nodes().row(node);
+            if (d.norm() < r && centres(i, 2) < reach)
             {
                 near.append(i);
             }
@@ -160,12 +165,16 @@ Foam::capsule::oneSidedFit::oneSidedFit(const immersedInterface& interface)
         forAll(near, i)
         {
             const vector2 d =
-                (centres.row(near[i]) - curve.nodes().row(node))
+                (centres.row(near[i]).head<2>() - curve.nodes().row(node))
                /distance.width();
             basis.row(i) <<
                 1, d(0), d(1), sqr(d(0)), d(0)*d(1), sqr(d(1)),
                 pow3(d(0)), sqr(d(0))*d(1), d(0)*sqr(d(1)), pow3(d(1));
-            weight(i) = sqr(1 - d.squaredNorm()/sqr(radius));
+            const scalar outside = max(centres(near[i], 2), scalar(0));
+            weight(i) = sqr
+            (
+                (1 - d.squaredNorm()/sqr(radius))*(1 - sqr(outside/reach))
+            );
         }
         const nodalMatrix inverse =
             (weight.asDiagonal()*basis)

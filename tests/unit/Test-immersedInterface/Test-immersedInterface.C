@@ -331,7 +331,7 @@ int main(int argc, char *argv[])
           - interface.addGradient(sources.gradient);
         net = mag(sum)/plane.thickness();
         interface.addFlux(sources.flux, sources.pressureFlux);
-        if (std::getenv("DIVS")) interface.addDivergence(sources.divergence);
+        interface.addDivergence(sources.divergence);
         interface.addForce(-sum, sources.momentum);
         flow->solve(UEqn, &sources);
 

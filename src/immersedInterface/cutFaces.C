@@ -1,0 +1,263 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cutFaces.H"
+#include "hexMatcher.H"
+#include "bitSet.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::capsule::cutFaces::checkCell(const label celli) const
+{
+    const fvMesh& mesh = levelSet_.mesh();
+
+    if (!hexMatcher().isA(mesh, celli))
+    {
+        FatalErrorInFunction
+            << "The membrane cuts cell " << celli << " at "
+            << mesh.C()[celli] << ", which is not a hexahedron" << nl
+            << "    Cells at a membrane must be orthogonal hexahedra."
+            << exit(FatalError);
+    }
+
+    for (const label facei : mesh.cells()[celli])
+    {
+        const vector s = normalised(mesh.faceAreas()[facei]);
+        const vector d =
+            normalised(mesh.faceCentres()[facei] - mesh.cellCentres()[celli]);
+        if (mag(s & d) < 1 - 1e-6)
+        {
+            FatalErrorInFunction
+                << "The membrane cuts cell " << celli << " at "
+                << mesh.C()[celli] << ", which is not orthogonal" << nl
+                << "    Cells at a membrane must be orthogonal hexahedra."
+                << exit(FatalError);
+        }
+    }
+}
+
+
+Foam::Pair<Foam::capsule::vector2> Foam::capsule::cutFaces::ends
+(
+    const label facei
+) const
+{
+    const fvMesh& mesh = levelSet_.mesh();
+    const meshPlane& plane = levelSet_.plane();
+    const face& f = mesh.faces()[facei];
+
+    // The other end is the point of the face furthest from the first
+    const vector2 a = plane(mesh.points()[f[0]]);
+    vector2 b = a;
+    for (const label pointi : f)
+    {
+        const vector2 c = plane(mesh.points()[pointi]);
+        if ((c - a).norm() > (b - a).norm())
+        {
+            b = c;
+        }
+    }
+    return Pair<vector2>(a, b);
+}
+
+
+Foam::scalar Foam::capsule::cutFaces::crossing
+(
+    const vector2& centre,
+    const vector2& end,
+    const scalar atCentre,
+    const scalar atEnd
+) const
+{
+    // Regula falsi with halving (Illinois) on the signed distance
+    scalar alpha;
+    scalar a = 0, b = 1, fa = atCentre, fb = atEnd, xi = 0;
+    for (label iter = 0; iter < 30; ++iter)
+    {
+        xi = (a*fb - b*fa)/(fb - fa);
+        const scalar f =
+            levelSet_.signedDistance(centre + xi*(end - centre), alpha);
+        if (mag(f) < 1e-10*levelSet_.width())
+        {
+            break;
+        }
+        if (f*fb < 0)
+        {
+            a = b;
+            fa = fb;
+        }
+        else
+        {
+            fa *= 0.5;
+        }
+        b = xi;
+        fb = f;
+    }
+    return xi;
+}
+
+
+void Foam::capsule::cutFaces::addBeyond
+(
+    const label facei,
+    const vector2& centre,
+    const vector2& end,
+    const scalar atCentre,
+    const scalar side
+)
+{
+    scalar alpha;
+    const scalar atEnd = levelSet_.signedDistance(end, alpha);
+    const bool centreBeyond = (atCentre*side < 0);
+    const bool endBeyond = (atEnd*side < 0);
+    if (!centreBeyond && !endBeyond)
+    {
+        return;
+    }
+
+    scalar from = 0;
+    scalar to = 1;
+    if (centreBeyond != endBeyond)
+    {
+        (endBeyond ? from : to) = crossing(centre, end, atCentre, atEnd);
+    }
+
+    // Two-point Gauss rule; a half face has half of the face's weight
+    for (const scalar gauss : {-1/Foam::sqrt(3.0), 1/Foam::sqrt(3.0)})
+    {
+        const scalar xi = 0.5*(from + to + gauss*(to - from));
+        beyondDepths_.append
+        (
+            levelSet_.signedDistance(centre + xi*(end - centre), alpha)
+        );
+        beyondAlphas_.append(alpha);
+        beyond_.append({facei, -0.25*(to - from)*side});
+    }
+}
+
+
+void Foam::capsule::cutFaces::add
+(
+    const label facei,
+    const label patchi,
+    const label neighbour,
+    const scalar sideP,
+    const scalar sideN,
+    const scalar weight
+)
+{
+    const fvMesh& mesh = levelSet_.mesh();
+    const label own = mesh.faceOwner()[facei];
+
+    scalar alpha;
+    const vector2 centre = levelSet_.plane()(mesh.faceCentres()[facei]);
+    const scalar atCentre = levelSet_.signedDistance(centre, alpha);
+    const scalar side = (sideP == sideN ? sideP : atCentre < 0 ? -1 : 1);
+
+    if (sideP != sideN)
+    {
+        checkCell(own);
+        foreign_.append(views_.size() + (side == sideP ? 1 : 0));
+        centreAlphas_.append(alpha);
+        centreDepths_.append(atCentre);
+        views_.append
+        ({
+            own, neighbour, patchi, facei, 1, sideP, side == sideP, 1 - weight
+        });
+        views_.append
+        ({
+            patchi == -1 ? neighbour : -1, own, -1, facei, -1, sideN,
+            side == sideN, weight
+        });
+    }
+
+    // From the centre to each end at most one crossing is looked for
+    const Pair<vector2> ends(this->ends(facei));
+    for (const vector2& end : ends)
+    {
+        addBeyond(facei, centre, end, atCentre, side);
+    }
+}
+
+
+Foam::capsule::jumpConditions::targets Foam::capsule::cutFaces::targets
+(
+    const UList<scalar>& alphas,
+    const UList<scalar>& depths
+) const
+{
+    return jumpConditions::targets
+    (
+        levelSet_.curve(),
+        Eigen::Map<const nodalScalars>(alphas.cdata(), alphas.size()),
+        Eigen::Map<const nodalScalars>(depths.cdata(), depths.size())
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::cutFaces::cutFaces(const membraneLevelSet& levelSet)
+:
+    levelSet_(levelSet)
+{
+    // Faces of cells that are closer to the membrane than a cell width
+    const fvMesh& mesh = levelSet.mesh();
+    const volScalarField& side = levelSet.side();
+    bitSet close(mesh.nFaces());
+    forAll(levelSet.cells(), i)
+    {
+        if (mag(levelSet.distance()(i)) < 1.5*levelSet.width())
+        {
+            for (const label facei : mesh.cells()[levelSet.cells()[i]])
+            {
+                close.set(facei);
+            }
+        }
+    }
+
+    for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
+    {
+        if (close[facei])
+        {
+            const label N = mesh.neighbour()[facei];
+            add
+            (
+                facei, -1, N,
+                side[mesh.owner()[facei]], side[N],
+                mesh.weights()[facei]
+            );
+        }
+    }
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        if (!patch.coupled())
+        {
+            continue;
+        }
+        const label patchi = patch.index();
+        const scalarField beyondPatch
+        (
+            side.boundaryField()[patchi].patchNeighbourField()
+        );
+        forAll(patch, i)
+        {
+            if (close[patch.start() + i])
+            {
+                add
+                (
+                    patch.start() + i, patchi, i,
+                    side[patch.faceCells()[i]], beyondPatch[i],
+                    mesh.weights().boundaryField()[patchi][i]
+                );
+            }
+        }
+    }
+}
