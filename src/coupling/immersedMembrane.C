@@ -110,6 +110,20 @@ void Foam::capsule::immersedMembrane::setJumps
 }
 
 
+Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::inertia() const
+{
+    const timeScheme scheme(mesh_, "ddt(U)", body_.nOld());
+
+    nodalVectors acceleration =
+        scheme.c*body_.now().velocity - scheme.c0*body_.old(0).velocity;
+    if (scheme.c00 != 0)
+    {
+        acceleration += scheme.c00*body_.old(1).velocity;
+    }
+    return (1 - 1/ratio_)*rho_*acceleration;
+}
+
+
 void Foam::capsule::immersedMembrane::setResponse(const couplingMethod& method)
 {
     const closedCurve& curve = interface_->distance().curve();
@@ -284,10 +298,17 @@ void Foam::capsule::immersedMembrane::predict(const couplingMethod& method)
     if (body_.nOld() == 2)
     {
         now.force += dt/dt0*(body_.old(0).force - body_.old(1).force);
+        now.velocity +=
+            dt/dt0*(body_.old(0).velocity - body_.old(1).velocity);
     }
     const closedCurve& curve = interface_->distance().curve();
     explicitForce_ = body_.force(ahead, curve.metric());
     setResponse(method);
+
+    if (ratio_ != 1)
+    {
+        now.inertia = resolved(curve, resolving_, inertia());
+    }
 }
 
 
@@ -332,16 +353,21 @@ void Foam::capsule::immersedMembrane::setForce(const nodalScalars& f)
 
 void Foam::capsule::immersedMembrane::addSources
 (
-    flowEquations::sources& sources
+    flowEquations::sources& sources,
+    const surfaceScalarField* flux,
+    const volScalarField& scale
 )
 {
     const closedCurve& curve = interface_->distance().curve();
     const nodalVectors f = resolved(curve, resolving_, body_.now().force);
-
     interface_->setJumps
     (
         jumpConditions(curve, f, body_.now().inertia, mu_)
     );
+    if (flux)
+    {
+        interface_->addConvection(*flux, rho_, scale, sources.momentum);
+    }
     const vector found =
         interface_->addLaplacian(mu_, sources.momentum)
       - interface_->addGradient(sources.gradient);

@@ -230,6 +230,15 @@ void Foam::capsule::membraneSystem::predict()
 }
 
 
+void Foam::capsule::membraneSystem::setFlux(const surfaceScalarField& flux)
+{
+    if (size())
+    {
+        flux_.reset(new surfaceScalarField(flux));
+    }
+}
+
+
 bool Foam::capsule::membraneSystem::loop()
 {
     if (size() == 0)
@@ -249,7 +258,7 @@ bool Foam::capsule::membraneSystem::loop()
     sources_.clear();
     for (immersedMembrane& m : parts_)
     {
-        m.addSources(sources_);
+        m.addSources(sources_, flux_.get(), scale_);
     }
     sources_.momentum += swept_;
     return true;

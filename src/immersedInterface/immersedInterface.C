@@ -227,6 +227,26 @@ Foam::vector Foam::capsule::immersedInterface::addGradient
 }
 
 
+void Foam::capsule::immersedInterface::addConvection
+(
+    const surfaceScalarField& flux,
+    const scalar rho,
+    const volScalarField& scale,
+    volVectorField& source
+) const
+{
+    for (const cutFaces::view& v : faces_.views())
+    {
+        if (v.cell != -1)
+        {
+            source[v.cell] -=
+                rho*scale[v.cell]*v.sign*cutFaces::value(flux, v.face)
+               *v.weight*v.side*seen(U_, v)/levelSet_.mesh().V()[v.cell];
+        }
+    }
+}
+
+
 void Foam::capsule::immersedInterface::addForce
 (
     const vector& force,

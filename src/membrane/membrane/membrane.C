@@ -68,6 +68,11 @@ Foam::capsule::membrane::membrane
     basis_.reset(new periodicBasis(n));
     now_.x = shape->nodes(*basis_);
 
+    if (dict.found("load"))
+    {
+        load_ = membraneLoad::New(dict.subDict("load"), mesh);
+    }
+
     const closedCurve reference(*basis_, now_.x);
     referenceMetric_ = reference.metric();
     referenceArea_ = reference.area();
@@ -98,8 +103,12 @@ Foam::capsule::nodalVectors Foam::capsule::membrane::force
     nodalVectors resultant = scaled(tension(curve), curve.tangent());
     bending_->addResultant(curve, resultant);
 
-    return metric.cwiseInverse().asDiagonal()
-        *(basis_->derivative()*resultant);
+    nodalVectors perParameter = basis_->derivative()*resultant;
+    if (load_.valid())
+    {
+        perParameter += scaled(curve.metric(), load_->force(curve));
+    }
+    return metric.cwiseInverse().asDiagonal()*perParameter;
 }
 
 

@@ -1,0 +1,56 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "membraneLoad.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+    defineTypeNameAndDebug(membraneLoad, 0);
+    defineRunTimeSelectionTable(membraneLoad, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::capsule::membraneLoad> Foam::capsule::membraneLoad::New
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+{
+    const word type(dict.get<word>("type"));
+
+    if (!dictionaryConstructorTablePtr_)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry load selects " << type << ", but no library that is"
+            << " loaded (libs in system/controlDict) has loads of membranes"
+            << exit(FatalIOError);
+    }
+
+    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
+    if (!cstrIter.found())
+    {
+        FatalIOErrorInLookup
+        (
+            dict,
+            "load of a membrane",
+            type,
+            *dictionaryConstructorTablePtr_
+        ) << exit(FatalIOError);
+    }
+
+    return autoPtr<membraneLoad>(cstrIter()(dict, mesh));
+}

@@ -1,0 +1,112 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "analyticalErrors.H"
+#include "membraneSystem.H"
+#include "volFields.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(analyticalErrors, 0);
+    addToRunTimeSelectionTable(functionObject, analyticalErrors, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::functionObjects::analyticalErrors::interfaceError
+(
+    const scalar t
+) const
+{
+    const auto* membranes =
+        mesh_.findObject<capsule::membraneSystem>("membraneProperties");
+
+    scalar largest = 0;
+    for (label i = 0; membranes && i < membranes->size(); ++i)
+    {
+        const capsule::membrane::state& now = (*membranes)[i].now();
+        for (label node = 0; node < now.x.rows(); ++node)
+        {
+            const capsule::vector2 exact =
+                exact_->velocity(now.x.row(node), t);
+            const capsule::vector2 found = now.velocity.row(node);
+            largest = max(largest, (found - exact).norm());
+        }
+    }
+    return largest;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::analyticalErrors::analyticalErrors
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    writeFile(mesh_, name, "errors", dict),
+    exact_(capsule::analyticalSolution::New(mesh_))
+{
+    writeCommented(file(), "Time");
+    for (const char* column : {"U_L2", "U_max", "p_L2", "p_max", "interface"})
+    {
+        writeTabbed(file(), column);
+    }
+    file() << endl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::analyticalErrors::execute()
+{
+    return true;
+}
+
+
+bool Foam::functionObjects::analyticalErrors::write()
+{
+    const volVectorField& U = lookupObject<volVectorField>("U");
+    const volScalarField& p = lookupObject<volScalarField>("p");
+    const capsule::meshPlane plane(mesh_);
+    const scalarField& V = mesh_.V().field();
+    const scalar t = mesh_.time().value();
+
+    scalarField dU(U.size());
+    scalarField dp(p.size());
+    scalarField outside(p.size());
+    forAll(dU, celli)
+    {
+        const capsule::vector2 x = plane(mesh_.C()[celli]);
+        dU[celli] = (plane(U[celli]) - exact_->velocity(x, t)).norm();
+        dp[celli] = p[celli] - exact_->pressure(x, t);
+        outside[celli] = exact_->inside(x, t) ? 0 : V[celli];
+    }
+    dp -= gSum(outside*dp)/gSum(outside);
+
+    const scalar volume = gSum(V);
+    const scalar onInterface = interfaceError(t);
+    file()
+        << mesh_.time().timeOutputValue()
+        << tab << Foam::sqrt(gSum(V*sqr(dU))/volume) << tab << gMax(dU)
+        << tab << Foam::sqrt(gSum(V*sqr(dp))/volume) << tab << gMax(mag(dp))
+        << tab << onInterface << endl;
+    return true;
+}

@@ -1,0 +1,55 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pressurisedCircle.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+namespace analyticalSolutions
+{
+    defineTypeNameAndDebug(pressurisedCircle, 0);
+    addToRunTimeSelectionTable(analyticalSolution, pressurisedCircle, dictionary);
+}
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::analyticalSolutions::pressurisedCircle::pressurisedCircle
+(
+    const dictionary& dict,
+    const meshPlane& plane,
+    const Pair<scalar>& viscosity,
+    const scalar density
+)
+:
+    analyticalSolution(dict, plane, viscosity, density),
+    tension_(dict.get<scalar>("tension"))
+{}
+
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+Foam::capsule::analyticalSolution::polarFlow
+Foam::capsule::analyticalSolutions::pressurisedCircle::flow
+(
+    const scalar r,
+    const scalar,
+    const scalar
+) const
+{
+    return {0, 0, inside(r) ? tension_/radius_ : 0};
+}
