@@ -105,8 +105,37 @@ void Foam::capsule::immersedMembrane::setJumps
 
     interface.setJumps
     (
-        jumpConditions(curve, resolved(curve, passed, s.force), s.inertia, mu_)
+        jumpConditions
+        (
+            curve,
+            resolved(curve, passed, s.force),
+            s.inertia,
+            mu_,
+            smoothness()
+        )
     );
+}
+
+
+Foam::scalar Foam::capsule::immersedMembrane::viscousNumber
+(
+    const scalar viscosity
+) const
+{
+    const scalar inertia =
+        rho_*timeScheme(mesh_, "ddt(U)", body_.nOld()).c
+       *sqr(interface_->distance().width());
+
+    return inertia > 0 ? viscosity/inertia : GREAT;
+}
+
+
+Foam::scalar Foam::capsule::immersedMembrane::smoothness() const
+{
+    return
+        ratio_ == 1
+      ? 1
+      : 1/(1 + sqr(0.5/viscousNumber(min(mu_, body_.viscosity()))));
 }
 
 
@@ -237,7 +266,8 @@ Foam::capsule::immersedMembrane::immersedMembrane
     rho_(density),
     mu_(viscosity),
     body_(name, dict, plane, mesh),
-    ratio_(body_.viscosity()/viscosity)
+    ratio_(body_.viscosity()/viscosity),
+    warned_(false)
 {}
 
 
@@ -308,6 +338,17 @@ void Foam::capsule::immersedMembrane::predict(const couplingMethod& method)
     if (ratio_ != 1)
     {
         now.inertia = resolved(curve, resolving_, inertia());
+        if (ratio_ < 1 && viscousNumber(body_.viscosity()) < 0.3 && !warned_)
+        {
+            WarningInFunction
+                << "Membrane " << body_.name() << ": the steps are so short"
+                << " that the liquid inside has boundary layers thinner than"
+                << " the cells: mu_in dt/(rho h^2) = "
+                << viscousNumber(body_.viscosity()) << ", and below 0.3 the"
+                << " run may become unstable. Larger steps or finer cells"
+                << " help." << endl;
+            warned_ = true;
+        }
     }
 }
 
@@ -362,7 +403,7 @@ void Foam::capsule::immersedMembrane::addSources
     const nodalVectors f = resolved(curve, resolving_, body_.now().force);
     interface_->setJumps
     (
-        jumpConditions(curve, f, body_.now().inertia, mu_)
+        jumpConditions(curve, f, body_.now().inertia, mu_, smoothness())
     );
     if (flux)
     {
