@@ -213,7 +213,7 @@ void Foam::capsule::immersedMembrane::start(const volVectorField& U)
     membrane::state& now = body_.now();
     interface_.reset(placed(now.interface));
     setJumps(*interface_, now);
-    fit_.reset(new oneSidedFit(*interface_));
+    fit_.reset(new oneSidedFit(*interface_, fitSide()));
 
     if (body_.nOld() > 0)
     {
@@ -255,7 +255,7 @@ void Foam::capsule::immersedMembrane::predict(const couplingMethod& method)
     old_[1].reset(old_[0].release());
     old_[0].reset(interface_.release());
     interface_.reset(placed(nodes));
-    fit_.reset(new oneSidedFit(*interface_));
+    fit_.reset(new oneSidedFit(*interface_, fitSide()));
 
     membrane::state& now = body_.now();
     now.interface = nodes;
@@ -346,13 +346,13 @@ Foam::capsule::immersedMembrane::correct
     const membrane::state& now = body_.now();
     const bool contrast = (ratio_ != 1);
 
-    const oneSidedFit::fitted inner = (*fit_)(U, contrast ? &p : nullptr);
+    const oneSidedFit::fitted fluid = (*fit_)(U, contrast ? &p : nullptr);
     const nodalScalars unresolved =
         stacked(now.force - resolved(curve, resolving_, now.force));
 
     move
     (
-        inner.value.leftCols(2) + unstacked(velocity_*unresolved),
+        fluid.value.leftCols(2) + unstacked(velocity_*unresolved),
         conserveArea
     );
 
@@ -364,9 +364,14 @@ Foam::capsule::immersedMembrane::correct
     nodalVectors balance = F - now.force;
     if (contrast)
     {
+        // Inner traction; seen from outside, less by the force
         nodalVectors traction =
-            inner.traction(curve.normal(), mu_)
-          + unstacked(traction_*unresolved + 0.5*unresolved);
+            fluid.traction(curve.normal(), mu_)
+          + unstacked(traction_*unresolved - 0.5*fitSide()*unresolved);
+        if (fitSide() > 0)
+        {
+            traction += now.force;
+        }
 
         // The resultant is known: the rate of momentum of the liquid inside
         const vector2 excess =

@@ -66,24 +66,26 @@ Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::fit
     const labelUList& cells = distance.cells();
     const label components = (p ? 3 : 2);
 
-    // Values as the inner side sees them
+    // Values as the side sees them
     nodalMatrix local(cells.size(), components);
     forAll(cells, i)
     {
         const label celli = cells[i];
-        const bool outside = (jumping && distance.side()[celli] > 0);
+        const scalar cellSide = distance.side()[celli];
+        const scalar beyond = (jumping && cellSide != side_ ? cellSide : 0);
 
         vector u = U[celli];
-        if (outside)
+        if (beyond != 0)
         {
-            u -= interface_.jumpU()[celli];
+            u -= beyond*interface_.jumpU()[celli];
         }
         local.block<1, 2>(i, 0) = distance.plane()(u);
 
         if (p)
         {
             local(i, 2) =
-                (*p)[celli] - (outside ? interface_.jumpp()[celli] : 0);
+                (*p)[celli]
+              - (beyond != 0 ? beyond*interface_.jumpp()[celli] : 0);
         }
     }
     const nodalMatrix values = gather(local);
@@ -113,9 +115,14 @@ Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::fit
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::capsule::oneSidedFit::oneSidedFit(const immersedInterface& interface)
+Foam::capsule::oneSidedFit::oneSidedFit
+(
+    const immersedInterface& interface,
+    const label side
+)
 :
     interface_(interface),
+    side_(side),
     sizes_(Pstream::nProcs(), Zero)
 {
     const membraneLevelSet& distance = interface.distance();
@@ -132,7 +139,7 @@ Foam::capsule::oneSidedFit::oneSidedFit(const immersedInterface& interface)
     {
         local.row(i).head<2>() =
             distance.plane()(distance.mesh().C()[cells[i]]);
-        local(i, 2) = distance.distance()(i)/distance.width();
+        local(i, 2) = -side*distance.distance()(i)/distance.width();
     }
     const nodalMatrix centres = gather(local);
 
@@ -170,10 +177,10 @@ Foam::capsule::oneSidedFit::oneSidedFit(const immersedInterface& interface)
             basis.row(i) <<
                 1, d(0), d(1), sqr(d(0)), d(0)*d(1), sqr(d(1)),
                 pow3(d(0)), sqr(d(0))*d(1), d(0)*sqr(d(1)), pow3(d(1));
-            const scalar outside = max(centres(near[i], 2), scalar(0));
+            const scalar beyond = max(centres(near[i], 2), scalar(0));
             weight(i) = sqr
             (
-                (1 - d.squaredNorm()/sqr(radius))*(1 - sqr(outside/reach))
+                (1 - d.squaredNorm()/sqr(radius))*(1 - sqr(beyond/reach))
             );
         }
         const nodalMatrix inverse =

@@ -290,7 +290,7 @@ int main(int argc, char *argv[])
     flow->begin(UEqn);
 
     // Balance of real stress by the equivalent force, see membraneSystem
-    const oneSidedFit fit(interface);
+    const oneSidedFit fit(interface, -1);
     const label n = 2*basis.size();
     const nodalMatrix shortWaves = freeSpaceResponse::traction(curve);
     const nodalMatrix derivative =
