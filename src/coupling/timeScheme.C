@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "timeScheme.H"
+#include "input.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -24,7 +25,11 @@ Foam::capsule::timeScheme::timeScheme
     c0(0),
     c00(0)
 {
-    const word scheme(mesh.ddtScheme(term));
+    const dictionary& schemes = mesh.schemesDict().subDict("ddtSchemes");
+    const word scheme
+    (
+        input::guarded(schemes, term, [&]() { return word(mesh.ddtScheme(term)); })
+    );
     const scalar dt = mesh.time().deltaTValue();
 
     if (scheme == "Euler" || (scheme == "backward" && nOld < 2))
@@ -40,10 +45,9 @@ Foam::capsule::timeScheme::timeScheme
     }
     else if (scheme != "steadyState")
     {
-        FatalErrorInFunction
-            << "Entry " << term << " of ddtSchemes in "
-            << mesh.schemesDict().name() << " is " << scheme
+        FatalIOErrorInFunction(schemes)
+            << "Entry " << term << " is " << scheme
             << "; permitted: Euler, backward, steadyState (not for the"
-            << " membranes)" << exit(FatalError);
+            << " membranes)" << exit(FatalIOError);
     }
 }

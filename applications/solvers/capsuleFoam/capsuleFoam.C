@@ -33,6 +33,7 @@ Description
 #include "membraneSystem.H"
 #include "functionObject.H"
 #include "profiling.H"
+#include "sigFpe.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -54,6 +55,9 @@ int main(int argc, char *argv[])
     );
 
     #include "setRootCaseLists.H"
+    // Until the files are read: a number beyond the range of a scalar is an
+    // error of its file, not a floating-point exception
+    sigFpe::ignore untrapped;
     #include "createTime.H"
 
     // Not createMesh.H, whose dry run has a mesh without room for membranes
@@ -67,6 +71,8 @@ int main(int argc, char *argv[])
             IOobject::MUST_READ
         )
     );
+    untrapped.restore();
+
     if (args.found("dry-run"))
     {
         runTime.stopAt(Time::saNoWriteNow);

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneLoad.H"
+#include "input.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -30,7 +31,7 @@ Foam::autoPtr<Foam::capsule::membraneLoad> Foam::capsule::membraneLoad::New
     const fvMesh& mesh
 )
 {
-    const word type(dict.get<word>("type"));
+    const word type(input::get<word>(dict, "type"));
 
     if (!dictionaryConstructorTablePtr_)
     {
