@@ -12,6 +12,32 @@ License
 #include "input.H"
 #include "Time.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+
+//- The scheme of a term, which must be one word
+static word onlyWord(const fvMesh& mesh, const word& term)
+{
+    ITstream& is = mesh.ddtScheme(term);
+    const word scheme(is);
+    if (is.nRemainingTokens())
+    {
+        FatalErrorInFunction
+            << "there is more after " << scheme << "; permitted: one of the"
+            << " words Euler, backward, steadyState"
+            << exit(FatalError);
+    }
+    return scheme;
+}
+
+} // End namespace capsule
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::timeScheme::timeScheme
@@ -28,7 +54,7 @@ Foam::capsule::timeScheme::timeScheme
     const dictionary& schemes = mesh.schemesDict().subDict("ddtSchemes");
     const word scheme
     (
-        input::guarded(schemes, term, [&]() { return word(mesh.ddtScheme(term)); })
+        input::guarded(schemes, term, [&]() { return onlyWord(mesh, term); })
     );
     const scalar dt = mesh.time().deltaTValue();
 

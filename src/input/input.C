@@ -59,11 +59,11 @@ Foam::scalar Foam::capsule::input::getPositive
         entry,
         [&]() { return dimensionedScalar(entry, dimensions, dict).value(); }
     );
-    if (!(value >= 1/largest && value <= largest))
+    if (!(value >= smallest && value <= largest))
     {
         FatalIOErrorInFunction(dict)
             << "Entry " << entry << " is " << value
-            << "; it must be positive, " << 1/largest << " to " << largest
+            << "; it must be positive, " << smallest << " to " << largest
             << " [" << unit << "]" << exit(FatalIOError);
     }
     return value;

@@ -73,6 +73,11 @@ auto Foam::capsule::input::guarded
     {
         message = err.message();
     }
+    catch (const std::exception& err)
+    {
+        // Such as a list longer than the memory
+        message = err.what();
+    }
 
     restore();
     FatalIOErrorInFunction(dict)

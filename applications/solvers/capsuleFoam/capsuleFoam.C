@@ -73,7 +73,8 @@ int main(int argc, char *argv[])
     );
     untrapped.restore();
 
-    if (args.found("dry-run"))
+    const bool dryRun = args.found("dry-run");
+    if (dryRun)
     {
         runTime.stopAt(Time::saNoWriteNow);
         functionObject::outputPrefix = "postProcessing-dry-run";
@@ -112,7 +113,7 @@ int main(int argc, char *argv[])
         {
             runTime.write();
         }
-        else
+        else if (!dryRun)
         {
             runTime.writeAndEnd();
         }

@@ -72,11 +72,15 @@ public:
         os_.precision(17);
     }
 
+    //- Add a field, with zeros as they are read: without sign
     void add(const vectorField& field)
     {
         for (const vector& v : field)
         {
-            os_ << v;
+            for (const scalar x : v)
+            {
+                os_ << (mag(x) > VSMALL ? x : 0) << ' ';
+            }
         }
     }
 

@@ -39,11 +39,11 @@ Foam::capsule::shapes::ellipse::ellipse
 {
     for (const scalar length : semiAxes_)
     {
-        if (!(length >= 1/input::largest && length <= input::largest))
+        if (!(length >= input::smallest && length <= input::largest))
         {
             FatalIOErrorInFunction(dict)
                 << "Entry semiAxes is " << semiAxes_
-                << "; both must be positive, " << 1/input::largest << " to "
+                << "; both must be positive, " << input::smallest << " to "
                 << input::largest << " [m]" << exit(FatalIOError);
         }
     }

@@ -104,7 +104,14 @@ Foam::capsule::shapes::points::points
 :
     membraneShape(dict, plane, {"file"})
 {
-    const fileName file(input::get<fileName>(dict, "file").expand());
+    const string name(input::get<string>(dict, "file").expand());
+    if (!string::valid<fileName>(name))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry file is " << name << "; it must be the name of a file"
+            << exit(FatalIOError);
+    }
+    const fileName file(name);
     IFstream is(file);
     if (!is.good())
     {

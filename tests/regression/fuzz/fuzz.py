@@ -50,7 +50,7 @@ VARIANTS = {
     'load': (MEMBRANES, [('points  ', 'load { type none; }\n        points  ')], r'cell\.load'),
     'fixedPoint': (MEMBRANES, [('quasiNewton;', 'fixedPoint;\n    relaxation              0.5;')], r'coupling\.relax'),
     'explicit': (MEMBRANES, [('quasiNewton;', 'explicit;')], r'coupling\.type'),
-    'fractionalStep': (SOLUTION, [('direct;', 'fractionalStep;')], r'flow\.'),
+    'fractionalStep': (SOLUTION, [('direct;', 'fractionalStep;')], r'flow\.(solver|tolerance)'),
     'pRefCell': (SOLUTION, [('pRefPoint       (1.97 0.48 0.05)', 'pRefCell        7')], r'flow\.pRefCell'),
     'steadyState': (SCHEMES, [('ddt(U)          backward', 'ddt(U)          steadyState')], r'ddt\(U\)'),
     'Euler': (SCHEMES, [('ddt(membranes)  backward', 'ddt(membranes)  Euler')], r'ddt\(membranes\)'),
@@ -58,7 +58,7 @@ VARIANTS = {
 
 # Mutations that leave the case a valid one: variant, entry and mutation as regular expressions
 VALID = [
-    (r'base|circle|ellipse|points|fractionalStep', r'points|angle|coupling\.(\w+Tolerance|maxIter|conserveArea)|flow\.(tolerance|maxIter|directions|refactor)', 'removed'),
+    (r'base|circle|ellipse|points|fractionalStep', r'cell\.points|angle|coupling\.(\w+Tolerance|maxIter|conserveArea)|flow\.(tolerance|maxIter|directions|refactor)', 'removed'),
     ('fixedPoint', 'relaxation', 'removed'),
     ('load', r'cell\.load', 'removed'),
     ('.*', r'ddt\((U|membranes)\)', 'removed'),
@@ -69,7 +69,8 @@ VALID = [
     ('.*', 'pRefValue', 'zero|negative|tiny|small|large.*'),
     ('.*', 'pRefCell', 'zero'),
     ('.*', r'conserveArea|measures\.lines', 'zero|wrong type: a number'),
-    ('base', 'membranes', 'wrong type: empty'),
+    ('base', '^membranes', 'wrong type: empty'),
+    ('base', '', 'truncated after the end'),
     ('base', r'membranes\.cell', 'removed|misspelt'),
 ]
 
@@ -204,14 +205,16 @@ def truncations(file, text, parts):
 
 def states(file, text):
     """Damage of the state of a membrane"""
-    yield from truncations(file, text, 60)
-    for i in (2, 3, 4, 8, 40):
-        yield Mutation('base', file, '', 'truncated', 'truncated by %d' % i, text.rstrip()[:-i])
+    yield from truncations(file, text, 25)
+    end = text.index(';', text.index('digest'))
+    for i in (1, 2, 20, 41, 50, 60):
+        yield Mutation('base', file, '', 'truncated', 'truncated near the end', text[:end + 1 - i])
+    yield Mutation('base', file, '', 'truncated', 'truncated after the end', text[:end + 1])
     body = text.index('oldLevels')
     for e in entries(text):
         for what, new in (('removed', ''), ('misspelt', 'x' + text[e.start:e.end])):
             yield Mutation('base', file, e.name, what, what, text[:e.start] + new + text[e.end:])
-    for m in itertools.islice(re.finditer(r'^\d+$', text[body:], re.M), 0, None, 2):
+    for m in itertools.islice(re.finditer(r'^\d+$', text[body:], re.M), 0, None, 6):
         for n in ('30', '32', '0', '-1', '2000000000'):
             new = text[:body + m.start()] + n + text[body + m.end():]
             yield Mutation('base', file, '', 'wrong count', 'count ' + n, new)
@@ -219,7 +222,7 @@ def states(file, text):
         new = re.sub(r'oldLevels( +)2', r'oldLevels\g<1>' + n, text)
         yield Mutation('base', file, 'oldLevels|digest', 'wrong count', 'oldLevels ' + n, new)
     numbers = list(re.finditer(r'[-0-9.e]{8,}', text[body:]))
-    for m in numbers[::len(numbers)//6]:
+    for m in numbers[::len(numbers)//4]:
         for kind, n in (('not a number', 'nan'), ('not a number', 'inf'), ('huge', '1e300'), ('huge', '-1e300'),
                         ('huge', '1e999'), ('one digit', m.group()[:4] + '7' + m.group()[5:])):
             if n != m.group():
@@ -262,10 +265,15 @@ def run(directory, m, timeout):
         with open(path, 'w', encoding='latin-1') as f:
             f.write(original)
 
+    if os.path.isdir(os.path.join(directory, '0.02')):
+        shutil.rmtree(os.path.join(directory, '0.02'))
+        return 'dry run writes', log
     if re.search(r'Sanitizer|runtime error:', log):
         return 'sanitizer', log
     if code < 0 or code >= 128 or 'sigFpe::' in log or 'sigSegv::' in log:
         return 'signal %d' % code, log
+    if re.search('The membranes of .* diverge', log):
+        return 'diverges', log
     if 'FOAM FATAL' in log:
         message = log[log.index('FOAM FATAL'):]
         last = m.entry.split('.')[-1]
@@ -337,7 +345,7 @@ def main():
         elif listed(WARNED, m):
             wanted = ('warning',)
         elif listed(EITHER, m):
-            wanted = ('error', 'valid')
+            wanted = ('error', 'valid', 'diverges')
         else:
             wanted = ('error',)
         # The load's library is none of ours: its type is always wrong
