@@ -24,7 +24,9 @@ void Foam::capsule::flowEquations::setReference(const dictionary& dict)
 
     if (dict.found("pRefCell"))
     {
-        input::get<label>(dict, "pRefCell");
+        // Of the first processor
+        const label last = Pstream::master() ? mesh_.nCells() - 1 : labelMax;
+        input::getBetween<label>(dict, "pRefCell", 0, last);
     }
     else if (dict.found("pRefPoint"))
     {

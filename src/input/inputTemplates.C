@@ -10,6 +10,7 @@ License
 
 #include "input.H"
 #include "error.H"
+#include <new>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -56,8 +57,11 @@ auto Foam::capsule::input::guarded
 {
     const bool throwing = FatalError.throwExceptions();
     const bool throwingIO = FatalIOError.throwExceptions();
+    // A list longer than the memory: OpenFOAM's handler aborts
+    const std::new_handler handler = std::set_new_handler(nullptr);
     const auto restore = [&]()
     {
+        std::set_new_handler(handler);
         FatalError.throwExceptions(throwing);
         FatalIOError.throwExceptions(throwingIO);
     };
@@ -75,7 +79,6 @@ auto Foam::capsule::input::guarded
     }
     catch (const std::exception& err)
     {
-        // Such as a list longer than the memory
         message = err.what();
     }
 

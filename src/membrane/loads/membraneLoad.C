@@ -36,7 +36,7 @@ Foam::autoPtr<Foam::capsule::membraneLoad> Foam::capsule::membraneLoad::New
     if (!dictionaryConstructorTablePtr_)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry load selects " << type << ", but no library that is"
+            << "Entry type of load is " << type << ", but no library that is"
             << " loaded (libs in system/controlDict) has loads of membranes"
             << exit(FatalIOError);
     }

@@ -63,10 +63,12 @@ VALID = [
     ('load', r'cell\.load', 'removed'),
     ('.*', r'ddt\((U|membranes)\)', 'removed'),
     ('.*', r'measures\.lines', 'removed'),
-    ('noTension', r'elasticLaw\.shearModulus', '.*'),
-    ('noBending', r'bending\.bendingModulus', '.*'),
+    ('noTension', r'elasticLaw\.shearModulus', '(?!misspelt|beyond).*'),
+    ('noBending', r'bending\.bendingModulus', '(?!misspelt|beyond).*'),
     ('.*', 'angle', 'zero|negative|tiny|small'),
-    ('.*', 'pRefValue', 'zero|negative|tiny|small|large.*'),
+    ('.*', 'pRefValue', 'zero|negative|tiny|small'),
+    # The corner of the mesh
+    ('.*', 'pRefPoint', 'zero|tiny|small'),
     ('.*', 'pRefCell', 'zero'),
     ('.*', r'conserveArea|measures\.lines', 'zero|wrong type: a number'),
     ('base', '^membranes', 'wrong type: empty'),
@@ -105,7 +107,10 @@ def entries(text):
         t = m.group()
         if t.startswith(('//', '/*')):
             continue
-        if t == '{' and depth == 0:
+        if t in '{}' and (depth > 0 or first is not None):
+            # A list of one value, 31{0}
+            depth += (t == '{') - (t == '}')
+        elif t == '{' and depth == 0:
             above.append(key)
             found.append(Entry('.'.join(k[0] for k in above), key[1], None, (key[1], key[2]), (m.start(), None), True))
             key = None
@@ -315,7 +320,7 @@ def main():
             assert old in text, (variant, old)
             text = text.replace(old, new)
         base = Mutation(variant, file, 'type', 'unchanged', 'unchanged', text)
-        work += [base] + [m for m in mutations(variant, file, text) if re.search(only, m.entry)]
+        work += [base]*(variant != 'load') + [m for m in mutations(variant, file, text) if re.search(only, m.entry)]
     restart = '0.04/uniform/membranes/cell'
     work += states(restart, read(restart))
     work.append(Mutation('base', restart, '', 'unchanged', 'unchanged', read(restart)))
