@@ -129,7 +129,9 @@ public:
             {
                 const vectorField field(plane_.toVectors(s.*entry.field));
                 digest.add(field);
-                os.writeEntry(entry.name, field);
+                // With the type of the list, which binary files need
+                const UList<vector>& list = field;
+                list.writeEntry(entry.name, os);
             }
             os.endBlock();
         }
