@@ -175,8 +175,14 @@ bool Foam::capsule::membrane::readState(const Time& runTime)
         return false;
     }
     sigFpe::ignore untrapped;
-    const IOdictionary dict(io);
+    const autoPtr<IOdictionary> file = input::guarded
+    (
+        dictionary(io.objectPath()),
+        "level",
+        [&]() { return autoPtr<IOdictionary>(new IOdictionary(io)); }
+    );
     untrapped.restore();
+    const IOdictionary& dict = *file;
     stateDigest digest;
 
     const auto read = [&](const label i)
