@@ -24,10 +24,35 @@ namespace capsule
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
+Foam::capsule::couplingMethod::couplingMethod
+(
+    const dictionary& dict,
+    const wordList& own
+)
+{
+    input::permit
+    (
+        dict,
+        input::joined
+        (
+            {
+                "type",
+                "stressTolerance",
+                "displacementTolerance",
+                "maxIter",
+                "conserveArea",
+                "relaxation"
+            },
+            own
+        )
+    );
+}
+
+
 Foam::autoPtr<Foam::capsule::couplingMethod>
 Foam::capsule::couplingMethod::New(const dictionary& dict)
 {
-    const word type(dict.get<word>("type"));
+    const word type(input::get<word>(dict, "type"));
 
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
 

@@ -30,11 +30,9 @@ namespace couplingMethods
 
 Foam::capsule::couplingMethods::fixedPoint::fixedPoint(const dictionary& dict)
 :
+    couplingMethod(dict),
     relaxation_
     (
-        dict.getCheckOrDefault<scalar>
-        (
-            "relaxation", 1, scalarMinMax(VSMALL, 1)
-        )
+        input::getBetweenOrDefault<scalar>(dict, "relaxation", 1, 1e-6, 1)
     )
 {}

@@ -11,6 +11,7 @@ License
 #include "membraneSystem.H"
 #include "timeScheme.H"
 #include "profiling.H"
+#include "sigFpe.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -38,7 +39,7 @@ Foam::string Foam::capsule::membraneSystem::obstacle
 
 void Foam::capsule::membraneSystem::readMembranes()
 {
-    const dictionary& dict = subDict("membranes");
+    const dictionary& dict = input::subDict(*this, "membranes");
     List<nodalVectors> points;
     for (const entry& e : dict)
     {
@@ -67,7 +68,8 @@ void Foam::capsule::membraneSystem::readMembranes()
                 << near.c_str() << nl
                 << "    Membranes must lie inside the mesh, at least "
                 << clearance::least << " cell widths from its boundaries and"
-                << " from each other; see the entries of shape."
+                << " from each other; see the entries "
+                << flatOutput(e.dict().subDict("shape").toc()) << " of shape"
                 << exit(FatalIOError);
         }
     }
@@ -123,13 +125,18 @@ Foam::capsule::membraneSystem::membraneSystem
 :
     IOdictionary
     (
-        IOobject
+        // Until the file is read: a number beyond the range of a scalar is an
+        // error of the file, not a floating-point exception
         (
-            "membraneProperties",
-            U.time().constant(),
-            U.mesh(),
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE
+            sigFpe::ignore(),
+            IOobject
+            (
+                "membraneProperties",
+                U.time().constant(),
+                U.mesh(),
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE
+            )
         )
     ),
     mesh_(U.mesh()),
@@ -139,31 +146,31 @@ Foam::capsule::membraneSystem::membraneSystem
     p_(p),
     rho_(rho.value()),
     mu_(mu.value()),
-    method_(couplingMethod::New(subDict("coupling"))),
+    method_(couplingMethod::New(input::subDict(*this, "coupling"))),
     stressTolerance_
     (
-        subDict("coupling").getCheckOrDefault<scalar>
+        input::getBetweenOrDefault<scalar>
         (
-            "stressTolerance", 1e-3, scalarMinMax(VSMALL, 1)
+            subDict("coupling"), "stressTolerance", 1e-3, 1e-15, 1
         )
     ),
     displacementTolerance_
     (
-        subDict("coupling").getCheckOrDefault<scalar>
+        input::getBetweenOrDefault<scalar>
         (
-            "displacementTolerance", 1e-4, scalarMinMax(VSMALL, 1)
+            subDict("coupling"), "displacementTolerance", 1e-4, 1e-15, 1
         )
     ),
     maxIter_
     (
-        subDict("coupling").getCheckOrDefault<label>
+        input::getBetweenOrDefault<label>
         (
-            "maxIter", 30, labelMinMax::ge(1)
+            subDict("coupling"), "maxIter", 30, 1, 10000
         )
     ),
     conserveArea_
     (
-        subDict("coupling").getOrDefault<bool>("conserveArea", true)
+        input::getOrDefault<bool>(subDict("coupling"), "conserveArea", true)
     ),
     scale_
     (
@@ -182,6 +189,11 @@ Foam::capsule::membraneSystem::membraneSystem
     converged_(true)
 {
     // Wrong time schemes stop here, before the first step
+    input::warnOfOthers
+    (
+        mesh_.schemesDict().subDict("ddtSchemes"),
+        {"default", "ddt(U)", "ddt(membranes)"}
+    );
     timeScheme(mesh_, "ddt(U)", 0);
     if (timeScheme(mesh_, "ddt(membranes)", 0).c == 0)
     {
@@ -288,6 +300,14 @@ void Foam::capsule::membraneSystem::correct()
         Info<< "Membranes: iteration " << iter_ << ", imbalance of stress "
             << stress << ", displacement " << displacement << " cell widths"
             << endl;
+    }
+
+    if (!(stress < input::largest && displacement < input::largest))
+    {
+        FatalErrorInFunction
+            << "The membranes of " << objectPath() << " diverge: see the"
+            << " entries of elasticLaw, bending, viscosity and coupling, and"
+            << " deltaT" << exit(FatalError);
     }
 
     converged_ =

@@ -9,7 +9,34 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "timeScheme.H"
+#include "input.H"
 #include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+
+//- The scheme of a term, which must be one word
+static word onlyWord(const fvMesh& mesh, const word& term)
+{
+    ITstream& is = mesh.ddtScheme(term);
+    const word scheme(is);
+    if (is.nRemainingTokens())
+    {
+        FatalErrorInFunction
+            << "there is more after " << scheme << "; permitted: one of the"
+            << " words Euler, backward, steadyState"
+            << exit(FatalError);
+    }
+    return scheme;
+}
+
+} // End namespace capsule
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -24,7 +51,11 @@ Foam::capsule::timeScheme::timeScheme
     c0(0),
     c00(0)
 {
-    const word scheme(mesh.ddtScheme(term));
+    const dictionary& schemes = mesh.schemesDict().subDict("ddtSchemes");
+    const word scheme
+    (
+        input::guarded(schemes, term, [&]() { return onlyWord(mesh, term); })
+    );
     const scalar dt = mesh.time().deltaTValue();
 
     if (scheme == "Euler" || (scheme == "backward" && nOld < 2))
@@ -40,10 +71,9 @@ Foam::capsule::timeScheme::timeScheme
     }
     else if (scheme != "steadyState")
     {
-        FatalErrorInFunction
-            << "Entry " << term << " of ddtSchemes in "
-            << mesh.schemesDict().name() << " is " << scheme
+        FatalIOErrorInFunction(schemes)
+            << "Entry " << term << " is " << scheme
             << "; permitted: Euler, backward, steadyState (not for the"
-            << " membranes)" << exit(FatalError);
+            << " membranes)" << exit(FatalIOError);
     }
 }

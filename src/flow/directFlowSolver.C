@@ -295,7 +295,7 @@ Foam::capsule::directFlowSolver::directFlowSolver
     flowSolver(dict, U, p, phi),
     refactor_
     (
-        dict.getCheckOrDefault<label>("refactor", 6, labelMinMax::ge(1))
+        input::getBetweenOrDefault<label>(dict, "refactor", 6, 1, 10000)
     ),
     stale_(true)
 {

@@ -11,6 +11,45 @@ License
 #include "flowEquations.H"
 #include "fvc.H"
 #include "findRefCell.H"
+#include "input.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::capsule::flowEquations::setReference(const dictionary& dict)
+{
+    pRefValue_ = input::getBetween<scalar>
+    (
+        dict, "pRefValue", -input::largest, input::largest
+    );
+
+    if (dict.found("pRefCell"))
+    {
+        // Of the first processor
+        const label last = Pstream::master() ? mesh_.nCells() - 1 : labelMax;
+        input::getBetween<label>(dict, "pRefCell", 0, last);
+    }
+    else if (dict.found("pRefPoint"))
+    {
+        const point p(input::get<point>(dict, "pRefPoint"));
+        if (!mesh_.bounds().contains(p))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry pRefPoint is " << p << ", outside the mesh, which"
+                << " spans " << mesh_.bounds().min() << " to "
+                << mesh_.bounds().max() << exit(FatalIOError);
+        }
+    }
+
+    setRefCell
+    (
+        mesh_.lookupObject<volScalarField>("p"),
+        p_,
+        dict,
+        pRefCell_,
+        pRefValue_
+    );
+}
+
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
@@ -223,13 +262,6 @@ Foam::capsule::flowEquations::flowEquations
 {
     if (p.needReference())
     {
-        setRefCell
-        (
-            mesh_.lookupObject<volScalarField>("p"),
-            p,
-            dict,
-            pRefCell_,
-            pRefValue_
-        );
+        setReference(dict);
     }
 }

@@ -83,37 +83,58 @@ Foam::capsule::flowSolver::flowSolver
     const dictionary& dict,
     volVectorField& U,
     volScalarField& p,
-    surfaceScalarField& phi
+    surfaceScalarField& phi,
+    const wordList& own
 )
 :
     flowEquations(dict, U, p, phi),
     tolerance_
     (
-        dict.getCheckOrDefault<scalar>
-        (
-            "tolerance", 1e-8, scalarMinMax(VSMALL, 0.1)
-        )
+        input::getBetweenOrDefault<scalar>(dict, "tolerance", 1e-8, 1e-15, 0.1)
     ),
     maxIter_
     (
-        dict.getCheckOrDefault<label>("maxIter", 100, labelMinMax::ge(1))
+        input::getBetweenOrDefault<label>(dict, "maxIter", 100, 1, 10000)
     ),
     maxDirections_
     (
-        dict.getCheckOrDefault<label>("directions", 60, labelMinMax::ge(1))
+        input::getBetweenOrDefault<label>(dict, "directions", 60, 1, 10000)
     )
-{}
+{
+    input::permit
+    (
+        dict,
+        input::joined
+        (
+            {
+                "solver",
+                "tolerance",
+                "maxIter",
+                "directions",
+                "refactor",
+                "pRefCell",
+                "pRefPoint",
+                "pRefValue"
+            },
+            own
+        )
+    );
+}
 
 
 Foam::autoPtr<Foam::capsule::flowSolver> Foam::capsule::flowSolver::New
 (
-    const dictionary& dict,
     volVectorField& U,
     volScalarField& p,
     surfaceScalarField& phi
 )
 {
-    const word type(dict.get<word>("solver"));
+    const dictionary& dict = input::subDict
+    (
+        input::subDict(U.mesh().solutionDict(), "capsuleFoam"),
+        "flow"
+    );
+    const word type(input::get<word>(dict, "solver"));
 
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
 

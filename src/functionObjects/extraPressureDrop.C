@@ -10,6 +10,7 @@ License
 
 #include "extraPressureDrop.H"
 #include "membraneSystem.H"
+#include "input.H"
 #include "flowSolver.H"
 #include "fvm.H"
 #include "fvc.H"
@@ -41,7 +42,7 @@ Foam::label Foam::functionObjects::extraPressureDrop::patch
     const word& entry
 ) const
 {
-    const word name(dict.get<word>(entry));
+    const word name(capsule::input::get<word>(dict, entry));
     const label patchi = mesh_.boundaryMesh().findPatchID(name);
     if (patchi == -1)
     {
@@ -49,6 +50,12 @@ Foam::label Foam::functionObjects::extraPressureDrop::patch
             << "Entry " << entry << " is " << name << ", which is no patch;"
             << " permitted: " << mesh_.boundaryMesh().names()
             << exit(FatalIOError);
+    }
+    if (gSum(mesh_.magSf().boundaryField()[patchi]) == 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << entry << " is " << name << ", a patch without faces"
+            << " that the flow meets" << exit(FatalIOError);
     }
     return patchi;
 }
@@ -90,13 +97,7 @@ void Foam::functionObjects::extraPressureDrop::solveEmpty()
     Info<< type() << ' ' << name() << ": empty channel" << endl;
     autoPtr<capsule::flowSolver> flow
     (
-        capsule::flowSolver::New
-        (
-            mesh_.solutionDict().subDict("capsuleFoam").subDict("flow"),
-            U,
-            p,
-            phi
-        )
+        capsule::flowSolver::New(U, p, phi)
     );
     const fvVectorMatrix UEqn(-fvm::laplacian(mu, U));
     flow->begin(UEqn);
@@ -104,6 +105,13 @@ void Foam::functionObjects::extraPressureDrop::solveEmpty()
 
     emptyDrop_ = drop(p);
     flux_ = gSum(phi.boundaryField()[outlet_]);
+    if (!(mag(flux_) > SMALL*gSum(mag(phi.primitiveField()))))
+    {
+        FatalIOErrorInFunction(mesh_.time().controlDict())
+            << "Entry outlet of the function object " << name() << " is "
+            << mesh_.boundary()[outlet_].name() << ", which has no flux"
+            << exit(FatalIOError);
+    }
 }
 
 
@@ -177,6 +185,21 @@ bool Foam::functionObjects::extraPressureDrop::read(const dictionary& dict)
 {
     inlet_ = patch(dict, "inlet");
     outlet_ = patch(dict, "outlet");
+    if (inlet_ == outlet_)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entries inlet and outlet are the same patch; they must differ"
+            << exit(FatalIOError);
+    }
+    capsule::input::warnOfOthers
+    (
+        dict,
+        capsule::input::joined
+        (
+            capsule::input::functionObjectEntries(),
+            {"inlet", "outlet"}
+        )
+    );
     return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
 }
 

@@ -10,6 +10,7 @@ License
 
 #include "membraneMeasures.H"
 #include "membraneSystem.H"
+#include "input.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -166,7 +167,12 @@ Foam::functionObjects::membraneMeasures::membraneMeasures
 
 bool Foam::functionObjects::membraneMeasures::read(const dictionary& dict)
 {
-    lines_ = dict.getOrDefault<bool>("lines", false);
+    capsule::input::warnOfOthers
+    (
+        dict,
+        capsule::input::joined(capsule::input::functionObjectEntries(), {"lines"})
+    );
+    lines_ = capsule::input::getOrDefault<bool>(dict, "lines", false);
     return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
 }
 

@@ -33,6 +33,7 @@ Description
 #include "membraneSystem.H"
 #include "functionObject.H"
 #include "profiling.H"
+#include "sigFpe.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -54,6 +55,9 @@ int main(int argc, char *argv[])
     );
 
     #include "setRootCaseLists.H"
+    // Until the files are read: a number beyond the range of a scalar is an
+    // error of its file, not a floating-point exception
+    sigFpe::ignore untrapped;
     #include "createTime.H"
 
     // Not createMesh.H, whose dry run has a mesh without room for membranes
@@ -67,7 +71,10 @@ int main(int argc, char *argv[])
             IOobject::MUST_READ
         )
     );
-    if (args.found("dry-run"))
+    untrapped.restore();
+
+    const bool dryRun = args.found("dry-run");
+    if (dryRun)
     {
         runTime.stopAt(Time::saNoWriteNow);
         functionObject::outputPrefix = "postProcessing-dry-run";
@@ -106,7 +113,7 @@ int main(int argc, char *argv[])
         {
             runTime.write();
         }
-        else
+        else if (!dryRun)
         {
             runTime.writeAndEnd();
         }

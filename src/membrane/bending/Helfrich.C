@@ -9,7 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "Helfrich.H"
-#include "dimensionedScalar.H"
+#include "dimensionSets.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -32,16 +32,8 @@ namespace bendingModels
 Foam::capsule::bendingModels::Helfrich::Helfrich(const dictionary& dict)
 :
     bendingModel(dict),
-    modulus_(dimensionedScalar("bendingModulus", dimEnergy, dict).value())
-{
-    if (!(modulus_ > 0))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry bendingModulus is " << modulus_
-            << "; it must be positive [J] (for none: type none)"
-            << exit(FatalIOError);
-    }
-}
+    modulus_(input::getPositive(dict, "bendingModulus", dimEnergy, "J"))
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -31,7 +31,7 @@ Foam::autoPtr<Foam::capsule::bendingModel> Foam::capsule::bendingModel::New
     const dictionary& dict
 )
 {
-    const word type(dict.get<word>("type"));
+    const word type(input::get<word>(dict, "type"));
 
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
 

@@ -30,6 +30,7 @@ namespace elasticLaws
 
 Foam::capsule::elasticLaws::Hookean::Hookean(const dictionary& dict)
 :
+    elasticLaw(dict),
     modulus_(modulus(dict, "elasticModulus"))
 {}
 

@@ -24,12 +24,30 @@ namespace capsule
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
+Foam::capsule::elasticLaw::elasticLaw
+(
+    const dictionary& dict,
+    const wordList& own
+)
+{
+    input::permit
+    (
+        dict,
+        input::joined
+        (
+            {"type", "shearModulus", "elasticModulus", "surfaceTension"},
+            own
+        )
+    );
+}
+
+
 Foam::autoPtr<Foam::capsule::elasticLaw> Foam::capsule::elasticLaw::New
 (
     const dictionary& dict
 )
 {
-    const word type(dict.get<word>("type"));
+    const word type(input::get<word>(dict, "type"));
 
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
 
@@ -56,13 +74,5 @@ Foam::scalar Foam::capsule::elasticLaw::modulus
     const word& entry
 )
 {
-    const dimensionedScalar value(entry, dimForce/dimLength, dict);
-
-    if (!(value.value() > 0))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry " << entry << " is " << value.value()
-            << "; it must be positive [N/m]" << exit(FatalIOError);
-    }
-    return value.value();
+    return input::getPositive(dict, entry, dimForce/dimLength, "N/m");
 }

@@ -30,6 +30,7 @@ namespace elasticLaws
 
 Foam::capsule::elasticLaws::neoHookean::neoHookean(const dictionary& dict)
 :
+    elasticLaw(dict),
     shearModulus_(modulus(dict, "shearModulus"))
 {}
 

@@ -30,6 +30,7 @@ namespace elasticLaws
 
 Foam::capsule::elasticLaws::surfaceTension::surfaceTension(const dictionary& dict)
 :
+    elasticLaw(dict),
     surfaceTension_(modulus(dict, "surfaceTension"))
 {}
 

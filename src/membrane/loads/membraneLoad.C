@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneLoad.H"
+#include "input.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -30,12 +31,12 @@ Foam::autoPtr<Foam::capsule::membraneLoad> Foam::capsule::membraneLoad::New
     const fvMesh& mesh
 )
 {
-    const word type(dict.get<word>("type"));
+    const word type(input::get<word>(dict, "type"));
 
     if (!dictionaryConstructorTablePtr_)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry load selects " << type << ", but no library that is"
+            << "Entry type of load is " << type << ", but no library that is"
             << " loaded (libs in system/controlDict) has loads of membranes"
             << exit(FatalIOError);
     }

@@ -15,6 +15,48 @@ License
 
 const Foam::scalar Foam::capsule::membrane::pointsPerCell = 1.4;
 
+const Foam::scalar Foam::capsule::membrane::leastAcross = 2;
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::capsule::membrane::perimeterInCells
+(
+    const membraneShape& shape,
+    const dictionary& dict,
+    const fvMesh& mesh,
+    const scalar width
+) const
+{
+    const nodalVectors outline = shape.outline();
+    for (const point& p : plane_.toPoints(outline))
+    {
+        if (!mesh.bounds().contains(p))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Membrane " << name_ << " reaches outside the mesh, to "
+                << p << "; see the entries " << flatOutput(dict.toc())
+                << " of shape: the mesh spans " << mesh.bounds().min() << " to " << mesh.bounds().max()
+                << exit(FatalIOError);
+        }
+    }
+
+    // Four times the area over the perimeter: the diameter of a circle
+    const periodicBasis basis(outline.rows());
+    const closedCurve curve(basis, outline);
+    const scalar across = 4*curve.area()/curve.perimeter()/width;
+    if (!(across >= leastAcross))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Membrane " << name_ << " is " << across << " cells across;"
+            << " it needs at least " << leastAcross
+            << ": see the entries " << flatOutput(dict.toc())
+            << " of shape, or refine the mesh"
+            << exit(FatalIOError);
+    }
+    return curve.perimeter()/width;
+}
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -28,26 +70,27 @@ Foam::capsule::membrane::membrane
 :
     name_(name),
     plane_(plane),
-    viscosity_(dimensionedScalar("viscosity", dimPressure*dimTime, dict).value()),
-    law_(elasticLaw::New(dict.subDict("elasticLaw"))),
-    bending_(bendingModel::New(dict.subDict("bending")))
-{
-    if (!(viscosity_ > 0))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry viscosity is " << viscosity_
-            << "; it must be positive [Pa s]" << exit(FatalIOError);
-    }
-
-    const autoPtr<membraneShape> shape
+    viscosity_
     (
-        membraneShape::New(dict.subDict("shape"), plane)
+        input::getPositive(dict, "viscosity", dimPressure*dimTime, "Pa s")
+    ),
+    law_(elasticLaw::New(input::subDict(dict, "elasticLaw"))),
+    bending_(bendingModel::New(input::subDict(dict, "bending")))
+{
+    input::permit
+    (
+        dict,
+        {"viscosity", "shape", "elasticLaw", "bending", "load", "points"}
     );
+
+    const dictionary& shapeDict = input::subDict(dict, "shape");
+    const autoPtr<membraneShape> shape(membraneShape::New(shapeDict, plane));
     const scalar width =
         Foam::sqrt(gMin(mesh.V().field())/plane.thickness());
-    const scalar cells = shape->perimeter()/width;
-    const label n = dict.getOrDefault<label>
+    const scalar cells = perimeterInCells(*shape, shapeDict, mesh, width);
+    const label n = input::getOrDefault<label>
     (
+        dict,
         "points",
         max(label(25), 2*label(0.5*pointsPerCell*cells) + 1)
     );
@@ -70,7 +113,7 @@ Foam::capsule::membrane::membrane
 
     if (dict.found("load"))
     {
-        load_ = membraneLoad::New(dict.subDict("load"), mesh);
+        load_ = membraneLoad::New(input::subDict(dict, "load"), mesh);
     }
 
     const closedCurve reference(*basis_, now_.x);

@@ -10,6 +10,8 @@ License
 
 #include "membrane.H"
 #include "fvMesh.H"
+#include "OSHA1stream.H"
+#include "sigFpe.H"
 #include "IOdictionary.H"
 #include "passiveParticleCloud.H"
 #include "IOField.H"
@@ -42,6 +44,53 @@ static IOobject stateFile
 }
 
 
+//- The fields of a time level
+static const struct
+{
+    const char* name;
+    nodalVectors membrane::state::* field;
+}
+stateFields[] =
+{
+    {"points", &membrane::state::x},
+    {"interface", &membrane::state::interface},
+    {"force", &membrane::state::force},
+    {"inertia", &membrane::state::inertia},
+    {"velocity", &membrane::state::velocity}
+};
+
+
+//- Digest of the fields of all time levels, by which damage is found
+class stateDigest
+{
+    OSHA1stream os_;
+
+public:
+
+    stateDigest()
+    {
+        os_.precision(17);
+    }
+
+    //- Add a field, with zeros as they are read: without sign
+    void add(const vectorField& field)
+    {
+        for (const vector& v : field)
+        {
+            for (const scalar x : v)
+            {
+                os_ << (mag(x) > VSMALL ? x : 0) << ' ';
+            }
+        }
+    }
+
+    string str()
+    {
+        return os_.digest().str();
+    }
+};
+
+
 //- Writer of the time levels of a membrane, with all digits
 class stateWriter
 :
@@ -69,19 +118,24 @@ public:
     virtual bool writeData(Ostream& os) const
     {
         os.precision(17);
+        stateDigest digest;
         os.writeEntry("oldLevels", membrane_.nOld());
         for (label i = 0; i <= membrane_.nOld(); ++i)
         {
             const membrane::state& s =
                 (i == 0 ? membrane_.now() : membrane_.old(i - 1));
             os.beginBlock(word("level" + Foam::name(i)));
-            os.writeEntry("points", plane_.toVectors(s.x));
-            os.writeEntry("interface", plane_.toVectors(s.interface));
-            os.writeEntry("force", plane_.toVectors(s.force));
-            os.writeEntry("inertia", plane_.toVectors(s.inertia));
-            os.writeEntry("velocity", plane_.toVectors(s.velocity));
+            for (const auto& entry : stateFields)
+            {
+                const vectorField field(plane_.toVectors(s.*entry.field));
+                digest.add(field);
+                // With the type of the list, which binary files need
+                const UList<vector>& list = field;
+                list.writeEntry(entry.name, os);
+            }
             os.endBlock();
         }
+        os.writeEntry("digest", digest.str());
         return os.good();
     }
 };
@@ -97,37 +151,77 @@ bool Foam::capsule::membrane::readState(const Time& runTime)
     IOobject io(stateFile(name_, runTime, IOobject::MUST_READ));
     if (!io.typeHeaderOk<IOdictionary>(false))
     {
+        if (isFile(io.objectPath()))
+        {
+            FatalErrorInFunction
+                << "The state of membrane " << name_ << " in "
+                << io.objectPath() << " is damaged: no header"
+                << exit(FatalError);
+        }
+        if
+        (
+            runTime.timeIndex() > 0
+         || isFile(runTime.timePath()/"levelSet." + name_)
+        )
+        {
+            FatalErrorInFunction
+                << "The state of membrane " << name_ << ", "
+                << io.objectPath() << ", is missing, but a run has written"
+                << " this time" << nl
+                << "    To start membranes from their shapes, remove"
+                << " uniform/time and the files levelSet.* there."
+                << exit(FatalError);
+        }
         return false;
     }
-    const IOdictionary dict(io);
+    sigFpe::ignore untrapped;
+    const autoPtr<IOdictionary> file = input::guarded
+    (
+        dictionary(io.objectPath()),
+        "level",
+        [&]() { return autoPtr<IOdictionary>(new IOdictionary(io)); }
+    );
+    untrapped.restore();
+    const IOdictionary& dict = *file;
+    stateDigest digest;
 
-    const auto read = [&](const dictionary& level)
+    const auto read = [&](const label i)
     {
+        const dictionary& level =
+            input::subDict(dict, "level" + Foam::name(i));
         state s;
-        nodalVectors* fields[] =
-            {&s.x, &s.interface, &s.force, &s.inertia, &s.velocity};
-        const char* names[] =
-            {"points", "interface", "force", "inertia", "velocity"};
-        for (label i = 0; i < 5; ++i)
+        for (const auto& entry : stateFields)
         {
-            const vectorField field(level.get<vectorField>(names[i]));
+            const vectorField field
+            (
+                input::get<vectorField>(level, entry.name)
+            );
             if (field.size() != size())
             {
                 FatalIOErrorInFunction(level)
-                    << "Entry " << names[i] << " has " << field.size()
+                    << "Entry " << entry.name << " has " << field.size()
                     << " points, but membrane " << name_ << " has " << size()
                     << exit(FatalIOError);
             }
-            *fields[i] = plane_.toNodes(field);
+            digest.add(field);
+            s.*entry.field = plane_.toNodes(field);
         }
         return s;
     };
 
-    now_ = read(dict.subDict("level0"));
-    old_.setSize(dict.get<label>("oldLevels"));
+    now_ = read(0);
+    old_.setSize(input::getBetween<label>(dict, "oldLevels", 0, 2));
     forAll(old_, i)
     {
-        old_[i] = read(dict.subDict("level" + Foam::name(i + 1)));
+        old_[i] = read(i + 1);
+    }
+
+    if (input::get<string>(dict, "digest") != digest.str())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry digest is not that of the points and fields: the state"
+            << " of membrane " << name_ << " is damaged or was edited"
+            << exit(FatalIOError);
     }
 
     Info<< "Membrane " << name_ << ": goes on from " << dict.objectPath()

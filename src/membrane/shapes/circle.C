@@ -34,7 +34,7 @@ Foam::capsule::shapes::circle::circle
     const meshPlane& plane
 )
 :
-    membraneShape(dict, plane),
+    membraneShape(dict, plane, {"radius"}),
     radius_(length(dict, "radius"))
 {}
 

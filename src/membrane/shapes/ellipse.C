@@ -34,14 +34,18 @@ Foam::capsule::shapes::ellipse::ellipse
     const meshPlane& plane
 )
 :
-    membraneShape(dict, plane),
-    semiAxes_(dict.get<Pair<scalar>>("semiAxes"))
+    membraneShape(dict, plane, {"semiAxes"}),
+    semiAxes_(input::get<Pair<scalar>>(dict, "semiAxes"))
 {
-    if (semiAxes_.first() <= 0 || semiAxes_.second() <= 0)
+    for (const scalar length : semiAxes_)
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry semiAxes " << semiAxes_
-            << ": both must be positive [m]" << exit(FatalIOError);
+        if (!(length >= input::smallest && length <= input::largest))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry semiAxes is " << semiAxes_
+                << "; both must be positive, " << input::smallest << " to "
+                << input::largest << " [m]" << exit(FatalIOError);
+        }
     }
 }
 

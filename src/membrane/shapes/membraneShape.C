@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneShape.H"
+#include "dimensionSets.H"
 #include "unitConversion.H"
 #include "mathematicalConstants.H"
 
@@ -29,13 +30,23 @@ namespace capsule
 Foam::capsule::membraneShape::membraneShape
 (
     const dictionary& dict,
-    const meshPlane& plane
+    const meshPlane& plane,
+    const wordList& own
 )
 :
-    centre_(plane(dict.get<point>("centre"))),
-    cos_(std::cos(degToRad(dict.getOrDefault<scalar>("angle", 0)))),
-    sin_(std::sin(degToRad(dict.getOrDefault<scalar>("angle", 0))))
-{}
+    centre_(plane(input::get<point>(dict, "centre"))),
+    cos_(1),
+    sin_(0)
+{
+    input::permit(dict, input::joined({"type", "centre", "angle"}, own));
+
+    const scalar angle = degToRad
+    (
+        input::getBetweenOrDefault<scalar>(dict, "angle", 0, -360, 360)
+    );
+    cos_ = std::cos(angle);
+    sin_ = std::sin(angle);
+}
 
 
 Foam::autoPtr<Foam::capsule::membraneShape> Foam::capsule::membraneShape::New
@@ -44,7 +55,7 @@ Foam::autoPtr<Foam::capsule::membraneShape> Foam::capsule::membraneShape::New
     const meshPlane& plane
 )
 {
-    const word type(dict.get<word>("type"));
+    const word type(input::get<word>(dict, "type"));
 
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
 
@@ -71,7 +82,20 @@ Foam::scalar Foam::capsule::membraneShape::length
     const word& entry
 )
 {
-    return dict.getCheck<scalar>(entry, scalarMinMax::ge(VSMALL));
+    return input::getPositive(dict, entry, dimLength, "m");
+}
+
+
+Foam::capsule::vector2 Foam::capsule::membraneShape::placed
+(
+    const vector2& p
+) const
+{
+    return centre_ + vector2
+    (
+        cos_*p(0) - sin_*p(1),
+        sin_*p(0) + cos_*p(1)
+    );
 }
 
 
@@ -120,16 +144,19 @@ Foam::capsule::nodalVectors Foam::capsule::membraneShape::nodes
                 break;
             }
         }
-        const vector2 p = local(chi);
-        result(j, 0) = centre_(0) + cos_*p(0) - sin_*p(1);
-        result(j, 1) = centre_(1) + sin_*p(0) + cos_*p(1);
+        result.row(j) = placed(local(chi));
     }
     return result;
 }
 
 
-Foam::scalar Foam::capsule::membraneShape::perimeter() const
+Foam::capsule::nodalVectors Foam::capsule::membraneShape::outline() const
 {
-    const periodicBasis fine(513);
-    return closedCurve(fine, nodes(fine)).perimeter();
+    const label n = 513;
+    nodalVectors result(n, 2);
+    for (label i = 0; i < n; ++i)
+    {
+        result.row(i) = placed(local(i*constant::mathematical::twoPi/n));
+    }
+    return result;
 }

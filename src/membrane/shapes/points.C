@@ -45,6 +45,14 @@ void Foam::capsule::shapes::points::check
     const label n = x_.rows();
     scalar area = 0;
 
+    if (!(x_.cwiseAbs().maxCoeff() <= input::largest))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry file " << file << ": coordinates up to "
+            << x_.cwiseAbs().maxCoeff() << "; permitted: up to "
+            << input::largest << " [m]" << exit(FatalIOError);
+    }
+
     for (label i = 0; i < n; ++i)
     {
         const vector2 a = x_.row(i);
@@ -94,9 +102,16 @@ Foam::capsule::shapes::points::points
     const meshPlane& plane
 )
 :
-    membraneShape(dict, plane)
+    membraneShape(dict, plane, {"file"})
 {
-    const fileName file(dict.get<fileName>("file").expand());
+    const string name(input::get<string>(dict, "file").expand());
+    if (!string::valid<fileName>(name))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry file is " << name << "; it must be the name of a file"
+            << exit(FatalIOError);
+    }
+    const fileName file(name);
     IFstream is(file);
     if (!is.good())
     {
@@ -104,7 +119,10 @@ Foam::capsule::shapes::points::points
             << "Entry file: cannot read the points from " << file
             << exit(FatalIOError);
     }
-    const pointField list(is);
+    const pointField list
+    (
+        input::guarded(dict, "file", [&]() { return pointField(is); })
+    );
     const label n = list.size();
     if (n < 8)
     {
