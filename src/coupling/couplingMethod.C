@@ -37,6 +37,7 @@ Foam::capsule::couplingMethod::couplingMethod
         (
             {
                 "type",
+                "interface",
                 "stressTolerance",
                 "displacementTolerance",
                 "maxIter",

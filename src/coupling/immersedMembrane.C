@@ -9,143 +9,30 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "immersedMembrane.H"
-#include "freeSpaceResponse.H"
 #include "timeScheme.H"
+#include "input.H"
 
-// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
 {
 namespace capsule
 {
+    defineTypeNameAndDebug(immersedMembrane, 0);
+    defineRunTimeSelectionTable(immersedMembrane, dictionary);
 
-//- Vectors with their components stacked, and back
-static nodalScalars stacked(const nodalVectors& v)
-{
-    return Eigen::Map<const nodalScalars>(v.data(), v.size());
+    //- Root mean square over the nodes
+    static scalar rms(const nodalVectors& v)
+    {
+        return v.norm()/Foam::sqrt(scalar(v.rows()));
+    }
+}
 }
 
-static nodalVectors unstacked(const nodalScalars& v)
-{
-    return Eigen::Map<const nodalVectors>(v.data(), v.size()/2, 2);
-}
-
-//- Root mean square over the nodes
-static scalar rms(const nodalVectors& v)
-{
-    return v.norm()/Foam::sqrt(scalar(v.rows()));
-}
-
-} // End namespace capsule
-} // End namespace Foam
-
-
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-const Foam::scalar Foam::capsule::immersedMembrane::forceWaves_ = 1.0;
-const Foam::scalar Foam::capsule::immersedMembrane::shapeWaves_ = 1.6;
 const Foam::scalar Foam::capsule::immersedMembrane::motionWaves_ = 3;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::capsule::immersedInterface* Foam::capsule::immersedMembrane::placed
-(
-    const nodalVectors& nodes
-) const
-{
-    return new immersedInterface
-    (
-        body_.name(),
-        mesh_,
-        plane_,
-        closedCurve(body_.basis(), nodes),
-        oneSidedFit::radius
-    );
-}
-
-
-Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::filter
-(
-    const closedCurve& curve,
-    const scalar waves
-) const
-{
-    return curve.basis().lowPass
-    (
-        waves*curve.perimeter()
-       /(constant::mathematical::twoPi*interface_->distance().width())
-    );
-}
-
-
-Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::resolved
-(
-    const closedCurve& curve,
-    const nodalMatrix& filter,
-    const nodalVectors& f
-)
-{
-    // Along normal and tangent, so that a uniform pressure is kept whole
-    const nodalVectors& n = curve.normal();
-    const nodalVectors& t = curve.tangent();
-
-    return scaled(filter*dot(f, n), n) + scaled(filter*dot(f, t), t);
-}
-
-
-void Foam::capsule::immersedMembrane::setJumps
-(
-    immersedInterface& interface,
-    const membrane::state& s
-)
-{
-    const closedCurve& curve = interface.distance().curve();
-    const nodalMatrix passed = filter(curve, forceWaves_);
-
-    interface.setJumps
-    (
-        jumpConditions
-        (
-            curve,
-            resolved(curve, passed, s.force),
-            s.inertia,
-            mu_,
-            smoothness()
-        )
-    );
-}
-
-
-void Foam::capsule::immersedMembrane::setResponse(const couplingMethod& method)
-{
-    const closedCurve& curve = interface_->distance().curve();
-    const label n = 2*curve.size();
-    const timeScheme scheme(mesh_, "ddt(membranes)", body_.nOld());
-
-    resolving_ = filter(curve, forceWaves_);
-    moving_ = filter(curve, motionWaves_);
-    velocity_ = freeSpaceResponse::velocity(curve, mu_);
-
-    nodalMatrix derivative = 0.5*(1 + ratio_)*nodalMatrix::Identity(n, n);
-    if (ratio_ != 1)
-    {
-        traction_ = freeSpaceResponse::traction(curve);
-        if (method.usesResponse())
-        {
-            derivative -= (1 - ratio_)*traction_;
-        }
-    }
-    if (method.usesResponse() && method.implicitStress())
-    {
-        nodalMatrix displacement(n, n);
-        displacement << moving_*velocity_.topRows(n/2),
-            moving_*velocity_.bottomRows(n/2);
-        derivative -= body_.forceJacobian(curve)*displacement/scheme.c;
-    }
-    balance_.compute(derivative);
-}
-
 
 void Foam::capsule::immersedMembrane::move
 (
@@ -153,7 +40,6 @@ void Foam::capsule::immersedMembrane::move
     const bool conserveArea
 )
 {
-    const closedCurve& curve = interface_->distance().curve();
     const timeScheme scheme(mesh_, "ddt(membranes)", body_.nOld());
     membrane::state& now = body_.now();
 
@@ -162,8 +48,8 @@ void Foam::capsule::immersedMembrane::move
     {
         // The net flux through the membrane that interpolation makes
         const scalar flux =
-            curve.integral(dot(now.velocity, curve.normal()));
-        now.velocity -= flux/curve.perimeter()*curve.normal();
+            curve().integral(dot(now.velocity, curve().normal()));
+        now.velocity -= flux/curve().perimeter()*curve().normal();
     }
 
     now.x = scheme.c0*body_.old(0).x + now.velocity;
@@ -184,6 +70,70 @@ void Foam::capsule::immersedMembrane::move
 }
 
 
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::filter
+(
+    const closedCurve& curve,
+    const scalar waves
+) const
+{
+    return curve.basis().lowPass
+    (
+        waves*curve.perimeter()
+       /(constant::mathematical::twoPi*distance().width())
+    );
+}
+
+
+void Foam::capsule::immersedMembrane::advance(const nodalVectors& nodes)
+{
+    body_.store();
+
+    membrane::state& now = body_.now();
+    now.interface = nodes;
+    now.x = nodes;
+    if (body_.nOld() == 2)
+    {
+        const scalar ratio =
+            mesh_.time().deltaTValue()/mesh_.time().deltaT0Value();
+        const membrane::state& old = body_.old(0);
+        const membrane::state& older = body_.old(1);
+
+        now.force += ratio*(old.force - older.force);
+        now.velocity += ratio*(old.velocity - older.velocity);
+        now.inner += ratio*(old.inner - older.inner);
+    }
+}
+
+
+void Foam::capsule::immersedMembrane::setResponse
+(
+    const closedCurve& ahead,
+    const couplingMethod& method,
+    const nodalMatrix& fluid,
+    const nodalMatrix& velocity
+)
+{
+    const label n = body_.size();
+    const timeScheme scheme(mesh_, "ddt(membranes)", body_.nOld());
+
+    explicitForce_ = body_.force(ahead, curve().metric());
+    moving_ = filter(curve(), motionWaves_);
+    velocity_ = velocity;
+
+    nodalMatrix derivative = fluid;
+    if (method.usesResponse() && method.implicitStress())
+    {
+        nodalMatrix displacement(2*n, 2*n);
+        displacement <<
+            moving_*velocity_.topRows(n), moving_*velocity_.bottomRows(n);
+        derivative -= body_.forceJacobian(curve())*displacement/scheme.c;
+    }
+    balance_.compute(derivative);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::immersedMembrane::immersedMembrane
@@ -201,32 +151,40 @@ Foam::capsule::immersedMembrane::immersedMembrane
     rho_(density),
     mu_(viscosity),
     body_(name, dict, plane, mesh),
-    ratio_(body_.viscosity()/viscosity),
-    warned_(false)
+    ratio_(body_.viscosity()/viscosity)
 {}
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::capsule::immersedMembrane::start(const volVectorField& U)
+Foam::autoPtr<Foam::capsule::immersedMembrane>
+Foam::capsule::immersedMembrane::New
+(
+    const dictionary& coupling,
+    const word& name,
+    const dictionary& dict,
+    const meshPlane& plane,
+    const fvMesh& mesh,
+    const scalar density,
+    const scalar viscosity
+)
 {
-    membrane::state& now = body_.now();
-    interface_.reset(placed(now.interface));
-    setJumps(*interface_, now);
-    fit_.reset(new oneSidedFit(*interface_, fitSide()));
+    const word type(input::getOrDefault<word>(coupling, "interface", "sharp"));
+    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
 
-    if (body_.nOld() > 0)
+    if (!cstrIter.found())
     {
-        old_[0].reset(placed(body_.old(0).interface));
-        setJumps(*old_[0], body_.old(0));
+        FatalIOErrorInLookup
+        (
+            coupling,
+            "interface",
+            type,
+            *dictionaryConstructorTablePtr_
+        ) << exit(FatalIOError);
     }
-    else
-    {
-        // No velocity yet but that of the initial field
-        now.velocity = (*fit_)(U, nullptr).value;
-    }
+    return cstrIter()(name, dict, plane, mesh, density, viscosity);
 }
 
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted
 (
@@ -243,93 +201,15 @@ Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted
 }
 
 
-void Foam::capsule::immersedMembrane::predict(const couplingMethod& method)
-{
-    const scalar dt = mesh_.time().deltaTValue();
-    const scalar dt0 = mesh_.time().deltaT0Value();
-
-    const closedCurve ahead(body_.basis(), predicted(dt, dt0));
-    const nodalVectors nodes = filter(ahead, shapeWaves_)*ahead.nodes();
-    body_.store();
-
-    old_[1].reset(old_[0].release());
-    old_[0].reset(interface_.release());
-    interface_.reset(placed(nodes));
-    fit_.reset(new oneSidedFit(*interface_, fitSide()));
-
-    membrane::state& now = body_.now();
-    now.interface = nodes;
-    now.x = nodes;
-    if (body_.nOld() == 2)
-    {
-        now.force += dt/dt0*(body_.old(0).force - body_.old(1).force);
-        now.velocity +=
-            dt/dt0*(body_.old(0).velocity - body_.old(1).velocity);
-    }
-    const closedCurve& curve = interface_->distance().curve();
-    explicitForce_ = body_.force(ahead, curve.metric());
-    setResponse(method);
-
-    if (ratio_ != 1)
-    {
-        now.inertia = resolved(curve, resolving_, inertia());
-        if (ratio_ < 1 && viscousNumber(body_.viscosity()) < 0.3 && !warned_)
-        {
-            WarningInFunction
-                << "Membrane " << body_.name() << ": the steps are so short"
-                << " that the liquid inside has boundary layers thinner than"
-                << " the cells: mu_in dt/(rho h^2) = "
-                << viscousNumber(body_.viscosity()) << ", and below 0.3 the"
-                << " run may become unstable. Larger steps or finer cells"
-                << " help." << endl;
-            warned_ = true;
-        }
-    }
-}
-
-
-Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::force() const
+Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::unknowns() const
 {
     return stacked(body_.now().force);
 }
 
 
-void Foam::capsule::immersedMembrane::setForce(const nodalScalars& f)
+void Foam::capsule::immersedMembrane::setUnknowns(const nodalScalars& x)
 {
-    body_.now().force = unstacked(f);
-}
-
-
-void Foam::capsule::immersedMembrane::addSources
-(
-    flowEquations::sources& sources,
-    const surfaceScalarField* flux,
-    const volScalarField& scale
-)
-{
-    const closedCurve& curve = interface_->distance().curve();
-    const nodalVectors f = resolved(curve, resolving_, body_.now().force);
-    interface_->setJumps
-    (
-        jumpConditions(curve, f, body_.now().inertia, mu_, smoothness())
-    );
-    if (flux)
-    {
-        interface_->addConvection(*flux, rho_, scale, sources.momentum);
-    }
-    const vector found =
-        interface_->addLaplacian(mu_, sources.momentum)
-      - interface_->addGradient(sources.gradient);
-    interface_->addFlux(sources.flux, sources.pressureFlux);
-    interface_->addDivergence(sources.divergence);
-
-    // Momentum is conserved only to the order of the jumps: what is missing of
-    // the membrane's resultant would show as noise of the pressure drop
-    const vector resultant = plane_.thickness()*plane_.toVector
-    (
-        vector2(curve.integral(f.col(0)), curve.integral(f.col(1)))
-    );
-    interface_->addForce(resultant - found, sources.momentum);
+    body_.now().force = unstacked(x.head(2*body_.size()));
 }
 
 
@@ -342,59 +222,27 @@ Foam::capsule::immersedMembrane::correct
     const bool conserveArea
 )
 {
-    const closedCurve& curve = interface_->distance().curve();
-    const membrane::state& now = body_.now();
-    const bool contrast = (ratio_ != 1);
-
-    const oneSidedFit::fitted fluid = (*fit_)(U, contrast ? &p : nullptr);
-    const nodalScalars unresolved =
-        stacked(now.force - resolved(curve, resolving_, now.force));
-
-    move
-    (
-        fluid.value.leftCols(2) + unstacked(velocity_*unresolved),
-        conserveArea
-    );
+    move(velocity(U, p), conserveArea);
 
     // Balance of stress at the points moved
+    const membrane::state& now = body_.now();
     const nodalVectors F =
         method.implicitStress()
-      ? body_.force(body_.curve(), curve.metric())
+      ? body_.force(body_.curve(), curve().metric())
       : explicitForce_;
-    nodalVectors balance = F - now.force;
-    if (contrast)
-    {
-        // Inner traction; seen from outside, less by the force
-        nodalVectors traction =
-            fluid.traction(curve.normal(), mu_)
-          + unstacked(traction_*unresolved - 0.5*fitSide()*unresolved);
-        if (fitSide() > 0)
-        {
-            traction += now.force;
-        }
-
-        // The resultant is known: the rate of momentum of the liquid inside
-        const vector2 excess =
-            vector2
-            (
-                curve.integral(traction.col(0)),
-                curve.integral(traction.col(1))
-            )
-          - momentumRate();
-        traction.rowwise() -= excess/curve.perimeter();
-
-        balance += (1 - ratio_)*traction;
-    }
+    const nodalVectors balance = F - now.force + contrastForce();
 
     const timeScheme scheme(mesh_, "ddt(membranes)", body_.nOld());
     const scalar size =
-        rms(F) + 0.5*(1 + ratio_)*mu_*rms(curve.ds(now.velocity)) + VSMALL;
+        rms(F) + 0.5*(1 + ratio_)*mu_*rms(curve().ds(now.velocity)) + VSMALL;
+    const nodalScalars df = balance_.solve(stacked(balance));
+
     correction result;
-    result.force = balance_.solve(stacked(balance));
-    result.stress = rms(unstacked(result.force))/size;
+    result.step = step(df);
+    result.stress = rms(unstacked(result.step))/size;
     result.displacement =
-        unstacked(velocity_*result.force).rowwise().norm().maxCoeff()
-       /(scheme.c*interface_->distance().width());
+        unstacked(velocity_*df).rowwise().norm().maxCoeff()
+       /(scheme.c*distance().width());
     return result;
 }
 
@@ -403,5 +251,5 @@ void Foam::capsule::immersedMembrane::write() const
 {
     body_.write(mesh_.time());
     body_.writeCloud(mesh_);
-    interface_->distance().field()().write();
+    distance().field()().write();
 }

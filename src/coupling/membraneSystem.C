@@ -9,9 +9,11 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneSystem.H"
+#include "diffuseMembrane.H"
 #include "timeScheme.H"
 #include "profiling.H"
 #include "sigFpe.H"
+#include "fvm.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -53,9 +55,15 @@ void Foam::capsule::membraneSystem::readMembranes()
         const label i = parts_.size();
         parts_.append
         (
-            new immersedMembrane
+            immersedMembrane::New
             (
-                e.keyword(), e.dict(), plane_, mesh_, rho_, mu_
+                subDict("coupling"),
+                e.keyword(),
+                e.dict(),
+                plane_,
+                mesh_,
+                rho_,
+                mu_
             )
         );
 
@@ -76,24 +84,81 @@ void Foam::capsule::membraneSystem::readMembranes()
 }
 
 
-void Foam::capsule::membraneSystem::setScale()
+template<class Field>
+bool Foam::capsule::membraneSystem::setInside
+(
+    Field& field,
+    scalar (immersedMembrane::*value)() const
+) const
 {
-    scale_ = dimensionedScalar("one", dimless, 1);
+    bool changed = false;
     for (const immersedMembrane& m : parts_)
     {
-        if (m.ratio() != 1)
+        const scalar inside = (m.*value)();
+        if (inside != 1)
         {
-            const volScalarField& side = m.interface().distance().side();
+            changed = true;
+            const volScalarField& side = m.distance().side();
             forAll(side, celli)
             {
                 if (side[celli] < 0)
                 {
-                    scale_[celli] = 1/m.ratio();
+                    field[celli] = inside;
                 }
             }
         }
     }
-    scale_.correctBoundaryConditions();
+    return changed;
+}
+
+
+void Foam::capsule::membraneSystem::setScale()
+{
+    scale_ = dimensionedScalar("one", dimless, 1);
+    if (setInside(scale_, &immersedMembrane::scale))
+    {
+        scale_.correctBoundaryConditions();
+    }
+}
+
+
+void Foam::capsule::membraneSystem::setViscosity()
+{
+    if (sources_.viscosity.valid())
+    {
+        volScalarField& mu = *sources_.viscosity;
+        mu = dimensionedScalar("mu", mu.dimensions(), mu_);
+        for (const immersedMembrane& m : parts_)
+        {
+            m.addViscosity(mu);
+        }
+        mu.correctBoundaryConditions();
+    }
+}
+
+
+Foam::tmp<Foam::fvVectorMatrix>
+Foam::capsule::membraneSystem::viscousTerm() const
+{
+    if (sources_.viscosity.valid())
+    {
+        return -fvm::laplacian(*sources_.viscosity, U_);
+    }
+
+    const dimensionedScalar mu("mu", dimPressure*dimTime, mu_);
+    tmp<fvVectorMatrix> term(-fvm::laplacian(mu, U_));
+    scalarField rows(size() ? mesh_.nCells() : 0, 1);
+    if (setInside(rows, &immersedMembrane::viscousScale))
+    {
+        term.ref() *= volScalarField::Internal
+        (
+            IOobject("viscousScale", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimless,
+            rows
+        );
+    }
+    return term;
 }
 
 
@@ -206,6 +271,18 @@ Foam::capsule::membraneSystem::membraneSystem
     for (immersedMembrane& m : parts_)
     {
         m.start(U_);
+        if (isA<diffuseMembrane>(m) && m.ratio() != 1)
+        {
+            sources_.viscosity.reset
+            (
+                new volScalarField
+                (
+                    IOobject("viscosity", mesh_.time().timeName(), mesh_),
+                    mesh_,
+                    dimensionedScalar(dimPressure*dimTime, Zero)
+                )
+            );
+        }
     }
     setScale();
 }
@@ -217,22 +294,23 @@ void Foam::capsule::membraneSystem::predict()
 {
     addProfiling(predict, "capsule::membraneSystem::predict");
 
-    label unknowns = 0;
+    label size = 0;
     for (immersedMembrane& m : parts_)
     {
         m.predict(*method_);
-        unknowns += m.force().size();
+        size += m.unknowns().size();
     }
 
     setScale();
+    setViscosity();
     setSwept();
 
-    force_.resize(unknowns);
+    unknowns_.resize(size);
     label start = 0;
     for (const immersedMembrane& m : parts_)
     {
-        const nodalScalars f = m.force();
-        force_.segment(start, f.size()) = f;
+        const nodalScalars f = m.unknowns();
+        unknowns_.segment(start, f.size()) = f;
         start += f.size();
     }
 
@@ -281,7 +359,7 @@ void Foam::capsule::membraneSystem::correct()
 {
     addProfiling(correct, "capsule::membraneSystem::correct");
 
-    nodalScalars step(force_.size());
+    nodalScalars step(unknowns_.size());
     scalar stress = 0;
     scalar displacement = 0;
     label start = 0;
@@ -290,8 +368,8 @@ void Foam::capsule::membraneSystem::correct()
     {
         const immersedMembrane::correction found =
             m.correct(U_, p_, *method_, conserveArea_);
-        step.segment(start, found.force.size()) = found.force;
-        start += found.force.size();
+        step.segment(start, found.step.size()) = found.step;
+        start += found.step.size();
         stress = max(stress, found.stress);
         displacement = max(displacement, found.displacement);
     }
@@ -315,12 +393,12 @@ void Foam::capsule::membraneSystem::correct()
 
     if (!converged_ && iter_ < maxIter_)
     {
-        force_ = method_->next(force_, step);
+        unknowns_ = method_->next(unknowns_, step);
         start = 0;
         for (immersedMembrane& m : parts_)
         {
-            const label n = 2*m.body().size();
-            m.setForce(force_.segment(start, n));
+            const label n = m.unknowns().size();
+            m.setUnknowns(unknowns_.segment(start, n));
             start += n;
         }
     }

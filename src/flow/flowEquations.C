@@ -83,6 +83,12 @@ Foam::capsule::nodalScalars Foam::capsule::flowEquations::residual
         gradp += extra->gradient;
         gradp.correctBoundaryConditions();
         momentum += extra->momentum;
+        if (extra->viscosity.valid())
+        {
+            momentum +=
+                fvc::div(*extra->viscosity*dev2(T(fvc::grad(U_))))()
+               .primitiveField();
+        }
     }
     momentum -= gradp.primitiveField();
 

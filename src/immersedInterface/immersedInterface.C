@@ -183,6 +183,7 @@ void Foam::capsule::immersedInterface::setJumps(const jumpConditions& jumps)
 Foam::vector Foam::capsule::immersedInterface::addLaplacian
 (
     const scalar mu,
+    const scalar scale,
     volVectorField& source
 ) const
 {
@@ -197,7 +198,9 @@ Foam::vector Foam::capsule::immersedInterface::addLaplacian
             const vector flux =
                 mu*cutFaces::value(delta, v.face)*cutFaces::value(mesh.magSf(), v.face)
                *v.side*seen(U_, v);
-            source[v.cell] += flux/mesh.V()[v.cell];
+            source[v.cell] +=
+                (levelSet_.side()[v.cell] < 0 ? scale : 1)
+               *flux/mesh.V()[v.cell];
             total += flux;
         }
     }

@@ -196,19 +196,13 @@ Foam::capsule::oneSidedFit::oneSidedFit
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::capsule::nodalVectors Foam::capsule::oneSidedFit::fitted::traction
+Foam::capsule::nodalVectors Foam::capsule::oneSidedFit::fitted::viscous
 (
     const nodalVectors& n,
     const scalar mu
 ) const
 {
-    // The interpolation of velocity to faces leaves an error of second order in
-    // the fluxes, which jumps at the membrane: a layer of divergence s in the
-    // cut cells, of first order, and in it a pressure of mu s too much. So the
-    // divergence that the fit sees is taken off the pressure.
-    const nodalScalars divergence = gradient[0].col(0) + gradient[1].col(1);
-    nodalVectors result =
-        scaled(-nodalScalars(value.col(2)) - mu*divergence, n);
+    nodalVectors result = nodalVectors::Zero(n.rows(), 2);
     for (label i = 0; i < 2; ++i)
     {
         for (label j = 0; j < 2; ++j)
@@ -221,4 +215,33 @@ Foam::capsule::nodalVectors Foam::capsule::oneSidedFit::fitted::traction
         }
     }
     return result;
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::oneSidedFit::fitted::pressure
+(
+    const scalar mu
+) const
+{
+    // The interpolation of velocity to faces leaves an error of second order in
+    // the fluxes, which jumps at the membrane: a layer of divergence s in the
+    // cut cells, of first order, and in it a pressure of mu s too much. So the
+    // divergence that the fit sees is taken off the pressure.
+    return value.col(2) + mu*(gradient[0].col(0) + gradient[1].col(1));
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::oneSidedFit::fitted::vorticity() const
+{
+    return gradient[0].col(1) - gradient[1].col(0);
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::oneSidedFit::fitted::traction
+(
+    const nodalVectors& n,
+    const scalar mu
+) const
+{
+    return viscous(n, mu) - scaled(pressure(mu), n);
 }

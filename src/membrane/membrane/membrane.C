@@ -124,6 +124,7 @@ Foam::capsule::membrane::membrane
     now_.interface = now_.x;
     now_.force = force(reference, reference.metric());
     now_.inertia.setZero(n, 2);
+    now_.inner.setZero(n, 2);
     now_.velocity.setZero(n, 2);
 
     if (!readState(mesh.time()))

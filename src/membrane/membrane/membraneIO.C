@@ -56,7 +56,8 @@ stateFields[] =
     {"interface", &membrane::state::interface},
     {"force", &membrane::state::force},
     {"inertia", &membrane::state::inertia},
-    {"velocity", &membrane::state::velocity}
+    {"velocity", &membrane::state::velocity},
+    {"inner", &membrane::state::inner}
 };
 
 

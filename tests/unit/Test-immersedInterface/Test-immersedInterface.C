@@ -126,7 +126,7 @@ static void writeResiduals
     }
 
     flowSolver::sources corrections(mesh);
-    interface.addLaplacian(1, corrections.momentum);
+    interface.addLaplacian(1, 1, corrections.momentum);
     interface.addGradient(corrections.gradient);
     interface.addFlux(corrections.flux, corrections.pressureFlux);
     const volVectorField laplacian(fvc::laplacian(U));
@@ -320,7 +320,7 @@ int main(int argc, char *argv[])
             )
         );
         const vector sum =
-            interface.addLaplacian(1, sources.momentum)
+            interface.addLaplacian(1, 1, sources.momentum)
           - interface.addGradient(sources.gradient);
         net = mag(sum)/plane.thickness();
         interface.addFlux(sources.flux, sources.pressureFlux);

@@ -8,12 +8,12 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "immersedMembrane.H"
+#include "sharpMembrane.H"
 #include "timeScheme.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::capsule::immersedMembrane::viscousNumber
+Foam::scalar Foam::capsule::sharpMembrane::viscousNumber
 (
     const scalar viscosity
 ) const
@@ -26,30 +26,92 @@ Foam::scalar Foam::capsule::immersedMembrane::viscousNumber
 }
 
 
-Foam::scalar Foam::capsule::immersedMembrane::smoothness() const
+Foam::scalar Foam::capsule::sharpMembrane::lowerViscousNumber() const
 {
-    return
-        ratio_ == 1
-      ? 1
-      : 1/(1 + sqr(0.5/viscousNumber(min(mu_, body_.viscosity()))));
+    return viscousNumber(min(mu_, body_.viscosity()));
 }
 
 
-Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::inertia() const
+Foam::scalar Foam::capsule::sharpMembrane::smoothness() const
+{
+    return ratio_ == 1 ? 1 : 1/(1 + sqr(0.5/lowerViscousNumber()));
+}
+
+
+void Foam::capsule::sharpMembrane::setScale()
+{
+    if (ratio_ == 1)
+    {
+        return;
+    }
+    const scalar inertia = 1/viscousNumber(mu_);
+    scale_ = (inertia + 4)/(inertia + 4*ratio_);
+    viscousScale_ = scale_*ratio_;
+    if (mag(viscousScale_ - 1) < 0.01)
+    {
+        scale_ = 1/ratio_;
+        viscousScale_ = 1;
+    }
+}
+
+
+Foam::scalar Foam::capsule::sharpMembrane::pressureWeight() const
+{
+    return (1/scale_ - 1)/(ratio_ - 1);
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::inertia() const
 {
     const timeScheme scheme(mesh_, "ddt(U)", body_.nOld());
+    const membrane::state& now = body_.now();
 
-    nodalVectors acceleration =
-        scheme.c*body_.now().velocity - scheme.c0*body_.old(0).velocity;
+    nodalVectors force =
+        scheme.c*now.velocity - scheme.c0*body_.old(0).velocity;
     if (scheme.c00 != 0)
     {
-        acceleration += scheme.c00*body_.old(1).velocity;
+        force += scheme.c00*body_.old(1).velocity;
     }
-    return (1 - 1/ratio_)*rho_*acceleration;
+    force *= rho_;
+
+    const nodalScalars vorticity = now.inner.col(0);
+    const nodalScalars pressure = now.inner.col(1);
+    const nodalScalars normal =
+        (1 - viscousScale_)*curve().ds(vorticity)
+      + (1 - scale_)*dot(force, curve().normal());
+    const nodalScalars tangential =
+        (scale_ - 1/ratio_)*curve().ds(pressure)
+      + (1 - 1/ratio_)*dot(force, curve().tangent());
+
+    return
+        scaled(resolving_*normal, curve().normal())
+      + scaled(resolving_*tangential, curve().tangent());
 }
 
 
-Foam::capsule::vector2 Foam::capsule::immersedMembrane::momentumRate() const
+Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::step
+(
+    const nodalScalars& df
+) const
+{
+    if (!inertial())
+    {
+        return df;
+    }
+
+    // What a velocity feeds back on itself through m, for a first iterate
+    const scalar feedback = 0.15/lowerViscousNumber();
+
+    nodalScalars result(2*df.size());
+    result <<
+        df,
+        distance().width()/(1 + feedback)
+       *stacked(inertia() - body_.now().inertia);
+    return result;
+}
+
+
+Foam::capsule::vector2 Foam::capsule::sharpMembrane::momentumRate() const
 {
     const timeScheme scheme(mesh_, "ddt(U)", body_.nOld());
 
@@ -74,13 +136,13 @@ Foam::capsule::vector2 Foam::capsule::immersedMembrane::momentumRate() const
     {
         rate += scheme.c00*flow(body_.old(1));
     }
-    return rho_/ratio_*rate;
+    return rho_*rate;
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::capsule::immersedMembrane::addSwept(volVectorField& ddtU) const
+void Foam::capsule::sharpMembrane::addSwept(volVectorField& ddtU) const
 {
     const timeScheme scheme(mesh_, "ddt(U)", body_.nOld());
     const scalar weights[2] = {scheme.c0, -scheme.c00};

@@ -1,0 +1,221 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "diffuseMembrane.H"
+#include "freeSpaceResponse.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+    defineTypeNameAndDebug(diffuseMembrane, 0);
+    addToRunTimeSelectionTable(immersedMembrane, diffuseMembrane, dictionary);
+}
+}
+
+const Foam::scalar Foam::capsule::diffuseMembrane::bandWidth_ = 3;
+const Foam::scalar Foam::capsule::diffuseMembrane::forceWaves_ = 1.0;
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::capsule::diffuseMembrane::phi(const scalar r)
+{
+    const scalar x = mag(r);
+
+    return
+        x < 1 ? (3 - 2*x + Foam::sqrt(1 + 4*x - 4*sqr(x)))/8
+      : x < 2 ? (5 - 2*x - Foam::sqrt(max(-7 + 12*x - 4*sqr(x), scalar(0))))/8
+      : 0;
+}
+
+
+void Foam::capsule::diffuseMembrane::place(const nodalVectors& nodes)
+{
+    levelSet_.reset
+    (
+        new membraneLevelSet
+        (
+            body_.name(),
+            mesh_,
+            plane_,
+            closedCurve(body_.basis(), nodes),
+            bandWidth_
+        )
+    );
+    interface_.clear();
+    fit_.clear();
+
+    const scalar h = levelSet_->width();
+    const labelUList& cells = levelSet_->cells();
+    std::vector<Eigen::Triplet<scalar>> entries;
+    forAll(cells, i)
+    {
+        const vector2 centre = plane_(mesh_.C()[cells[i]]);
+        for (Eigen::Index k = 0; k < nodes.rows(); ++k)
+        {
+            const vector2 r = (centre - nodes.row(k))/h;
+            if (r.cwiseAbs().maxCoeff() < 2)
+            {
+                entries.emplace_back(k, i, phi(r(0))*phi(r(1)));
+            }
+        }
+    }
+    delta_.resize(nodes.rows(), cells.size());
+    delta_.setFromTriplets(entries.begin(), entries.end());
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::diffuseMembrane::interpolate
+(
+    const volVectorField& U
+) const
+{
+    const labelUList& cells = levelSet_->cells();
+    nodalVectors local(cells.size(), 2);
+    forAll(cells, i)
+    {
+        local.row(i) = plane_(U[cells[i]]);
+    }
+    nodalVectors result = delta_*local;
+    for (scalar& value : UList<scalar>(result.data(), result.size()))
+    {
+        reduce(value, sumOp<scalar>());
+    }
+    return result;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::diffuseMembrane::diffuseMembrane
+(
+    const word& name,
+    const dictionary& dict,
+    const meshPlane& plane,
+    const fvMesh& mesh,
+    const scalar density,
+    const scalar viscosity
+)
+:
+    immersedMembrane(name, dict, plane, mesh, density, viscosity)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+const Foam::capsule::oneSidedFit& Foam::capsule::diffuseMembrane::fit() const
+{
+    if (!fit_.valid())
+    {
+        interface_.reset
+        (
+            new immersedInterface
+            (
+                body_.name(), mesh_, plane_, curve(), oneSidedFit::radius
+            )
+        );
+        fit_.reset(new oneSidedFit(*interface_, -1));
+    }
+    return *fit_;
+}
+
+
+void Foam::capsule::diffuseMembrane::start(const volVectorField& U)
+{
+    membrane::state& now = body_.now();
+    place(now.interface);
+    if (body_.nOld() == 0)
+    {
+        now.velocity = interpolate(U);
+    }
+}
+
+
+void Foam::capsule::diffuseMembrane::predict(const couplingMethod& method)
+{
+    const label n = 2*body_.size();
+    const closedCurve ahead
+    (
+        body_.basis(),
+        predicted
+        (
+            mesh_.time().deltaTValue(), mesh_.time().deltaT0Value()
+        )
+    );
+    advance(ahead.nodes());
+    place(ahead.nodes());
+
+    // Shorter waves fade in the spreading
+    const nodalMatrix slow = filter(curve(), forceWaves_);
+    nodalMatrix response =
+        freeSpaceResponse::velocity(curve(), 0.5*(1 + ratio_)*mu_);
+    response.topRows(n/2) = slow*response.topRows(n/2);
+    response.bottomRows(n/2) = slow*response.bottomRows(n/2);
+
+    setResponse(ahead, method, nodalMatrix::Identity(n, n), response);
+    if (!method.implicitStress())
+    {
+        body_.now().force = body_.force(ahead, curve().metric());
+    }
+}
+
+
+void Foam::capsule::diffuseMembrane::addViscosity(volScalarField& mu) const
+{
+    if (ratio_ == 1)
+    {
+        return;
+    }
+    const scalar excess = (ratio_ - 1)*mu_;
+    const volScalarField& side = levelSet_->side();
+    forAll(side, celli)
+    {
+        if (side[celli] < 0)
+        {
+            mu[celli] += excess;
+        }
+    }
+    forAll(levelSet_->cells(), i)
+    {
+        const label celli = levelSet_->cells()[i];
+        const scalar d = levelSet_->distance()(i)/levelSet_->width();
+        if (mag(d) < 1)
+        {
+            const scalar pi = constant::mathematical::pi;
+            const scalar inside = 0.5*(1 - d - Foam::sin(pi*d)/pi);
+            mu[celli] += (inside - (side[celli] < 0 ? 1 : 0))*excess;
+        }
+    }
+}
+
+
+void Foam::capsule::diffuseMembrane::addSources
+(
+    flowEquations::sources& sources,
+    const surfaceScalarField*,
+    const volScalarField&
+)
+{
+    const scalar spacing =
+        constant::mathematical::twoPi/body_.size()/sqr(levelSet_->width());
+    const nodalVectors spread =
+        delta_.transpose()
+       *scaled(spacing*curve().metric(), body_.now().force);
+
+    forAll(levelSet_->cells(), i)
+    {
+        sources.momentum[levelSet_->cells()[i]] +=
+            plane_.toVector(spread.row(i));
+    }
+}

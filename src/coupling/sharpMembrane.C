@@ -1,0 +1,327 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "sharpMembrane.H"
+#include "freeSpaceResponse.H"
+#include "timeScheme.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+    defineTypeNameAndDebug(sharpMembrane, 0);
+    addToRunTimeSelectionTable(immersedMembrane, sharpMembrane, dictionary);
+}
+}
+
+const Foam::scalar Foam::capsule::sharpMembrane::forceWaves_ = 1.0;
+const Foam::scalar Foam::capsule::sharpMembrane::shapeWaves_ = 1.6;
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::capsule::immersedInterface* Foam::capsule::sharpMembrane::placed
+(
+    const nodalVectors& nodes
+) const
+{
+    return new immersedInterface
+    (
+        body_.name(),
+        mesh_,
+        plane_,
+        closedCurve(body_.basis(), nodes),
+        oneSidedFit::radius
+    );
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::resolved
+(
+    const closedCurve& curve,
+    const nodalMatrix& filter,
+    const nodalVectors& f
+)
+{
+    // Along normal and tangent, so that a uniform pressure is kept whole
+    const nodalVectors& n = curve.normal();
+    const nodalVectors& t = curve.tangent();
+
+    return scaled(filter*dot(f, n), n) + scaled(filter*dot(f, t), t);
+}
+
+
+Foam::capsule::nodalVectors
+Foam::capsule::sharpMembrane::resolvedForce() const
+{
+    return resolved(curve(), resolving_, body_.now().force);
+}
+
+
+Foam::capsule::nodalScalars
+Foam::capsule::sharpMembrane::unresolvedForce() const
+{
+    return stacked(body_.now().force - resolvedForce());
+}
+
+
+void Foam::capsule::sharpMembrane::setJumps
+(
+    immersedInterface& interface,
+    const membrane::state& s
+)
+{
+    const closedCurve& curve = interface.distance().curve();
+    const nodalMatrix passed = filter(curve, forceWaves_);
+
+    interface.setJumps
+    (
+        jumpConditions
+        (
+            curve,
+            resolved(curve, passed, s.force),
+            s.inertia,
+            mu_,
+            smoothness()
+        )
+    );
+}
+
+
+Foam::capsule::nodalMatrix Foam::capsule::sharpMembrane::fluidDerivative
+(
+    const couplingMethod& method
+)
+{
+    const label n = body_.size();
+    nodalMatrix derivative = nodalMatrix::Identity(2*n, 2*n);
+
+    if (ratio_ != 1)
+    {
+        traction_ = freeSpaceResponse::traction(curve());
+        traction_.diagonal().array() += 0.5;
+        if (!method.usesResponse())
+        {
+            return 0.5*(1 + ratio_)*derivative;
+        }
+        derivative -= (1 - ratio_)*traction_;
+
+        // The normal traction is a pressure
+        const nodalScalars nx = curve().normal().col(0);
+        const nodalScalars ny = curve().normal().col(1);
+        const nodalMatrix normal =
+            (1 - ratio_)*(1 - pressureWeight())
+           *(
+                nx.asDiagonal()*traction_.topRows(n)
+              + ny.asDiagonal()*traction_.bottomRows(n)
+            );
+        derivative.topRows(n) += nx.asDiagonal()*normal;
+        derivative.bottomRows(n) += ny.asDiagonal()*normal;
+    }
+    return derivative;
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::velocity
+(
+    const volVectorField& U,
+    const volScalarField& p
+)
+{
+    fluid_ = (*fit_)(U, ratio_ != 1 ? &p : nullptr);
+
+    return
+        fluid_.value.leftCols(2)
+      + unstacked(velocityResponse()*unresolvedForce());
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastForce()
+{
+    if (ratio_ == 1)
+    {
+        return immersedMembrane::contrastForce();
+    }
+    const nodalVectors& n = curve().normal();
+    const nodalVectors& t = curve().tangent();
+
+    nodalScalars pressure = fluid_.pressure(mu_);
+    nodalVectors viscous = fluid_.viscous(n, mu_);
+    nodalScalars vorticity = mu_*fluid_.vorticity();
+    if (fitSide() > 0)
+    {
+        const nodalVectors f = resolvedForce();
+        pressure -= dot(f, n);
+        viscous += scaled(dot(f, t), t);
+        vorticity += dot(f, t);
+    }
+    const nodalVectors shortWaves = unstacked(traction_*unresolvedForce());
+    pressure -= dot(shortWaves, n);
+    viscous += scaled(dot(shortWaves, t), t);
+
+    // The resultant is known; pressure a.n with the constant a fills it
+    const nodalVectors traction = ratio_*viscous - scaled(pressure/scale_, n);
+    const auto integral = [&](const nodalVectors& v)
+    {
+        return vector2(curve().integral(v.col(0)), curve().integral(v.col(1)));
+    };
+    Eigen::Matrix<scalar, 2, 2> normals;
+    normals.row(0) = integral(scaled(n.col(0), n));
+    normals.row(1) = integral(scaled(n.col(1), n));
+    const vector2 a =
+        (integral(traction) - momentumRate())*normals.inverse();
+    pressure += scale_*n*a.transpose();
+
+    body_.now().inner.col(0) = vorticity;
+    body_.now().inner.col(1) = pressure/scale_;
+
+    return (1 - ratio_)*(viscous - pressureWeight()*scaled(pressure, n));
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::sharpMembrane::sharpMembrane
+(
+    const word& name,
+    const dictionary& dict,
+    const meshPlane& plane,
+    const fvMesh& mesh,
+    const scalar density,
+    const scalar viscosity
+)
+:
+    immersedMembrane(name, dict, plane, mesh, density, viscosity),
+    scale_(1/ratio_),
+    viscousScale_(1),
+    warned_(false)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::capsule::sharpMembrane::start(const volVectorField& U)
+{
+    membrane::state& now = body_.now();
+    interface_.reset(placed(now.interface));
+    setScale();
+    setJumps(*interface_, now);
+    fit_.reset(new oneSidedFit(*interface_, fitSide()));
+
+    if (body_.nOld() > 0)
+    {
+        old_[0].reset(placed(body_.old(0).interface));
+        setJumps(*old_[0], body_.old(0));
+    }
+    else
+    {
+        // No velocity yet but that of the initial field
+        now.velocity = (*fit_)(U, nullptr).value;
+    }
+}
+
+
+void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
+{
+    const closedCurve ahead
+    (
+        body_.basis(),
+        predicted
+        (
+            mesh_.time().deltaTValue(), mesh_.time().deltaT0Value()
+        )
+    );
+    const nodalVectors nodes = filter(ahead, shapeWaves_)*ahead.nodes();
+    advance(nodes);
+
+    old_[1].reset(old_[0].release());
+    old_[0].reset(interface_.release());
+    interface_.reset(placed(nodes));
+    fit_.reset(new oneSidedFit(*interface_, fitSide()));
+
+    setScale();
+    resolving_ = filter(curve(), forceWaves_);
+    setResponse
+    (
+        ahead,
+        method,
+        fluidDerivative(method),
+        freeSpaceResponse::velocity(curve(), mu_)
+    );
+    if (ratio_ != 1)
+    {
+        body_.now().inertia = inertia();
+    }
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::unknowns() const
+{
+    const nodalScalars f = immersedMembrane::unknowns();
+    if (!inertial())
+    {
+        return f;
+    }
+    nodalScalars result(2*f.size());
+    result << f, distance().width()*stacked(body_.now().inertia);
+    return result;
+}
+
+
+void Foam::capsule::sharpMembrane::setUnknowns(const nodalScalars& x)
+{
+    immersedMembrane::setUnknowns(x);
+    if (inertial())
+    {
+        body_.now().inertia =
+            unstacked(x.tail(2*body_.size())/distance().width());
+    }
+}
+
+
+void Foam::capsule::sharpMembrane::addSources
+(
+    flowEquations::sources& sources,
+    const surfaceScalarField* flux,
+    const volScalarField& scale
+)
+{
+    const nodalVectors f = resolvedForce();
+    interface_->setJumps
+    (
+        jumpConditions(curve(), f, body_.now().inertia, mu_, smoothness())
+    );
+    if (flux)
+    {
+        interface_->addConvection(*flux, rho_, scale, sources.momentum);
+    }
+    const vector found =
+        interface_->addLaplacian(mu_, viscousScale_, sources.momentum)
+      - interface_->addGradient(sources.gradient);
+    interface_->addFlux(sources.flux, sources.pressureFlux);
+    interface_->addDivergence(sources.divergence);
+
+    if (!inertial())
+    {
+        // Momentum is conserved only to the order of the jumps: what is
+        // missing of the membrane's resultant would show as noise of the
+        // pressure drop
+        const vector resultant = plane_.thickness()*plane_.toVector
+        (
+            vector2(curve().integral(f.col(0)), curve().integral(f.col(1)))
+        );
+        interface_->addForce(resultant - found, sources.momentum);
+    }
+}
