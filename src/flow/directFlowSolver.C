@@ -278,7 +278,7 @@ void Foam::capsule::directFlowSolver::apply
 
 void Foam::capsule::directFlowSolver::applied(const label iterations)
 {
-    stale_ = (iterations > refactor_);
+    stale_ = stale_ || iterations > refactor_;
 }
 
 
