@@ -205,8 +205,7 @@ Foam::capsule::sharpMembrane::sharpMembrane
 :
     immersedMembrane(name, dict, plane, mesh, density, viscosity),
     scale_(1/ratio_),
-    viscousScale_(1),
-    warned_(false)
+    viscousScale_(1)
 {}
 
 
