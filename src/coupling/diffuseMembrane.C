@@ -145,16 +145,9 @@ void Foam::capsule::diffuseMembrane::start(const volVectorField& U)
 void Foam::capsule::diffuseMembrane::predict(const couplingMethod& method)
 {
     const label n = 2*body_.size();
-    const closedCurve ahead
-    (
-        body_.basis(),
-        predicted
-        (
-            mesh_.time().deltaTValue(), mesh_.time().deltaT0Value()
-        )
-    );
-    advance(ahead.nodes());
-    place(ahead.nodes());
+    const closedCurve predictedCurve(ahead());
+    advance(predictedCurve.nodes());
+    place(predictedCurve.nodes());
 
     // Shorter waves fade in the spreading
     const nodalMatrix slow = filter(curve(), forceWaves_);
@@ -163,17 +156,17 @@ void Foam::capsule::diffuseMembrane::predict(const couplingMethod& method)
     response.topRows(n/2) = slow*response.topRows(n/2);
     response.bottomRows(n/2) = slow*response.bottomRows(n/2);
 
-    setResponse(ahead, method, nodalMatrix::Identity(n, n), response);
+    setResponse(predictedCurve, method, nodalMatrix::Identity(n, n), response);
     if (!method.implicitStress())
     {
-        body_.now().force = body_.force(ahead, curve().metric());
+        body_.now().force = body_.force(predictedCurve, curve().metric());
     }
 }
 
 
 void Foam::capsule::diffuseMembrane::addViscosity(volScalarField& mu) const
 {
-    if (ratio_ == 1)
+    if (!smeared())
     {
         return;
     }

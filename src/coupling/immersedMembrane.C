@@ -86,6 +86,16 @@ Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::filter
 }
 
 
+Foam::capsule::closedCurve Foam::capsule::immersedMembrane::ahead() const
+{
+    return closedCurve
+    (
+        body_.basis(),
+        predicted(mesh_.time().deltaTValue(), mesh_.time().deltaT0Value())
+    );
+}
+
+
 void Foam::capsule::immersedMembrane::advance(const nodalVectors& nodes)
 {
     body_.store();

@@ -9,11 +9,11 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneSystem.H"
-#include "diffuseMembrane.H"
 #include "timeScheme.H"
 #include "profiling.H"
 #include "sigFpe.H"
 #include "fvm.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -147,9 +147,16 @@ Foam::capsule::membraneSystem::viscousTerm() const
 
     const dimensionedScalar mu("mu", dimPressure*dimTime, mu_);
     tmp<fvVectorMatrix> term(-fvm::laplacian(mu, U_));
-    scalarField rows(size() ? mesh_.nCells() : 0, 1);
-    if (setInside(rows, &immersedMembrane::viscousScale))
+    const bool uniform = std::all_of
+    (
+        parts_.begin(),
+        parts_.end(),
+        [](const immersedMembrane& m) { return m.viscousScale() == 1; }
+    );
+    if (!uniform)
     {
+        scalarField rows(mesh_.nCells(), 1);
+        setInside(rows, &immersedMembrane::viscousScale);
         term.ref() *= volScalarField::Internal
         (
             IOobject("viscousScale", mesh_.time().timeName(), mesh_),
@@ -271,7 +278,7 @@ Foam::capsule::membraneSystem::membraneSystem
     for (immersedMembrane& m : parts_)
     {
         m.start(U_);
-        if (isA<diffuseMembrane>(m) && m.ratio() != 1)
+        if (m.smeared())
         {
             sources_.viscosity.reset
             (

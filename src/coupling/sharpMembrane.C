@@ -234,15 +234,8 @@ void Foam::capsule::sharpMembrane::start(const volVectorField& U)
 
 void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
 {
-    const closedCurve ahead
-    (
-        body_.basis(),
-        predicted
-        (
-            mesh_.time().deltaTValue(), mesh_.time().deltaT0Value()
-        )
-    );
-    const nodalVectors nodes = filter(ahead, shapeWaves_)*ahead.nodes();
+    const closedCurve predictedCurve(ahead());
+    const nodalVectors nodes = filter(predictedCurve, shapeWaves_)*predictedCurve.nodes();
     advance(nodes);
 
     old_[1].reset(old_[0].release());
@@ -254,7 +247,7 @@ void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
     resolving_ = filter(curve(), forceWaves_);
     setResponse
     (
-        ahead,
+        predictedCurve,
         method,
         fluidDerivative(method),
         freeSpaceResponse::velocity(curve(), mu_)
