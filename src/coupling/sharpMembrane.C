@@ -259,6 +259,16 @@ void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
 }
 
 
+void Foam::capsule::sharpMembrane::restore()
+{
+    immersedMembrane::restore();
+
+    interface_.reset(old_[0].release());
+    old_[0].reset(old_[1].release());
+    fit_.reset(new oneSidedFit(*interface_, fitSide()));
+}
+
+
 Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::unknowns() const
 {
     const nodalScalars f = immersedMembrane::unknowns();

@@ -196,10 +196,21 @@ Foam::capsule::nodalMatrix Foam::capsule::membrane::forceJacobian
 
 void Foam::capsule::membrane::store()
 {
-    old_.setSize(min(nOld() + 1, label(2)));
-    if (nOld() == 2)
+    old_.setSize(min(old_.size() + 1, label(3)));
+    for (label i = old_.size() - 1; i > 0; --i)
     {
-        old_[1] = old_[0];
+        std::swap(old_[i], old_[i - 1]);
     }
     old_[0] = now_;
+}
+
+
+void Foam::capsule::membrane::restore()
+{
+    std::swap(now_, old_[0]);
+    for (label i = 1; i < old_.size(); ++i)
+    {
+        std::swap(old_[i - 1], old_[i]);
+    }
+    old_.setSize(old_.size() - 1);
 }
