@@ -14,7 +14,7 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-const Foam::scalar Foam::capsule::clearance::least = 1;
+const Foam::scalar Foam::capsule::clearance::least = 0.1;
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //

@@ -138,6 +138,18 @@ Foam::capsule::membrane::membrane
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::capsule::membrane::elasticEnergy
+(
+    const closedCurve& curve
+) const
+{
+    const nodalScalars perLength = law_->energy(stretch(curve));
+
+    return
+        constant::mathematical::twoPi/size()*perLength.dot(referenceMetric_);
+}
+
+
 Foam::capsule::nodalVectors Foam::capsule::membrane::force
 (
     const closedCurve& curve,
