@@ -173,12 +173,13 @@ Foam::capsule::nodalMatrix Foam::capsule::membrane::forceJacobian
     const closedCurve& curve
 ) const
 {
-    // d(T t) = [(dT/ds/g_ref - T/g) t t + T/g I] dx'
+    // d(T t) = [(dT/ds/g_ref - T/g) t t + T/g I] dx', less what a membrane in
+    // compression loses by turning: so no wave is made to grow
     const label n = size();
     const nodalScalars t = tension(curve);
     const nodalScalars along =
         law_->stiffness(stretch(curve)).cwiseQuotient(referenceMetric_);
-    const nodalScalars turning = t.cwiseQuotient(curve.metric());
+    const nodalScalars turning = t.cwiseMax(0).cwiseQuotient(curve.metric());
     const nodalMatrix& d = basis_->derivative();
     const nodalScalars perLength = curve.metric().cwiseInverse();
 
