@@ -435,11 +435,8 @@ bool Foam::capsule::membraneSystem::canGoOn() const
 
 void Foam::capsule::membraneSystem::write() const
 {
-    if (mesh_.time().writeTime())
+    for (const immersedMembrane& m : parts_)
     {
-        for (const immersedMembrane& m : parts_)
-        {
-            m.write();
-        }
+        m.write();
     }
 }

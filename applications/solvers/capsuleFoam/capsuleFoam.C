@@ -31,6 +31,7 @@ Description
 #include "extrapolatedFlux.H"
 #include "flowSolver.H"
 #include "membraneSystem.H"
+#include "restartableTime.H"
 #include "functionObject.H"
 #include "profiling.H"
 #include "sigFpe.H"
@@ -58,7 +59,7 @@ int main(int argc, char *argv[])
     // Until the files are read: a number beyond the range of a scalar is an
     // error of its file, not a floating-point exception
     sigFpe::ignore untrapped;
-    #include "createTime.H"
+    capsule::restartableTime runTime(args);
 
     // Not createMesh.H, whose dry run has a mesh without room for membranes
     fvMesh mesh
@@ -117,7 +118,13 @@ int main(int argc, char *argv[])
         {
             runTime.writeAndEnd();
         }
-        membranes.write();
+        if (runTime.writeTime())
+        {
+            // As a restart reads it, to the last bit
+            p = pressure*membranes.scale();
+            membranes.write();
+            runTime.seal(mesh, flow->write());
+        }
         runTime.printExecutionTime(Info);
     }
 

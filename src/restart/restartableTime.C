@@ -1,0 +1,250 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "restartableTime.H"
+#include "wholeFile.H"
+#include "input.H"
+#include "IOdictionary.H"
+#include "argList.H"
+#include "fileOperation.H"
+#include <cmath>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::IOobject Foam::capsule::restartableTime::timeFile
+(
+    const IOobject::readOption read
+) const
+{
+    return IOobject
+    (
+        "time",
+        timeName(),
+        "uniform",
+        *this,
+        read,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
+
+void Foam::capsule::restartableTime::writeTimeDict(const fileNameList* files) const
+{
+    IOdictionary dict(timeFile(IOobject::NO_READ));
+
+    dict.add("value", value());
+    dict.add("name", string(timeName()));
+    dict.add("index", timeIndex());
+    dict.add("deltaT", deltaTValue());
+    dict.add("deltaT0", deltaT0Value());
+    dict.add("writeOrigin", writeOrigin_);
+    if (files)
+    {
+        dict.add("files", *files);
+    }
+    writeWhole(dict, IOstream::ASCII);
+}
+
+
+void Foam::capsule::restartableTime::resume()
+{
+    const IOobject io(timeFile(IOobject::MUST_READ));
+    const fileName path(timePath()/"uniform"/"time");
+    if (!IOobject(io).typeHeaderOk<IOdictionary>(false))
+    {
+        FatalErrorInFunction
+            << "The file " << path << " is damaged: no header" << nl
+            << "    To go on from an earlier time, remove the directory "
+            << timePath() << exit(FatalError);
+    }
+    const IOdictionary dict(io);
+    if (input::get<label>(dict, "index") == 0)
+    {
+        return;
+    }
+
+    if (!dict.found("files"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry files is missing: the run that wrote this time was"
+            << " stopped before it was whole" << nl
+            << "    To go on from an earlier time, remove the directory "
+            << timePath() << nl
+            << "    If another program has written it, remove uniform/time in"
+            << " it: membranes then start from their shapes."
+            << exit(FatalIOError);
+    }
+    for (const fileName& file : input::get<fileNameList>(dict, "files"))
+    {
+        const string wrong(defect(timePath()/file));
+        if (!wrong.empty())
+        {
+            FatalErrorInFunction
+                << "The file " << timePath()/file << ' ' << wrong.c_str() << nl
+                << "    To go on from an earlier time, remove the directory "
+                << timePath() << exit(FatalError);
+        }
+    }
+
+    const scalar exact = input::get<scalar>(dict, "value");
+    if (timeName(exact) != timeName())
+    {
+        // Copied to another time: OpenFOAM has warned of it
+        return;
+    }
+    setTime(exact, timeIndex());
+    deltaTSave_ = input::get<scalar>(dict, "deltaT");
+
+    if (writeControl_ == wcRunTime || writeControl_ == wcAdjustableRunTime)
+    {
+        writeOrigin_ = input::get<scalar>(dict, "writeOrigin");
+        writeTimeIndex_ =
+            label((exact - writeOrigin_ + 0.5*deltaTSave_)/writeInterval_);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::restartableTime::restartableTime(const argList& args)
+:
+    Time(Time::controlDictName, args),
+    writeOrigin_(startTime_)
+{
+    if (isFile(timePath()/"uniform"/"time"))
+    {
+        resume();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::capsule::restartableTime& Foam::capsule::restartableTime::operator++()
+{
+    const scalar start = startTime_;
+    startTime_ = writeOrigin_;
+    Time::operator++();
+    startTime_ = start;
+    return *this;
+}
+
+
+void Foam::capsule::restartableTime::setDeltaT(const scalar deltaT)
+{
+    if (writeControl_ != wcAdjustableRunTime)
+    {
+        Time::setDeltaT(deltaT);
+        return;
+    }
+
+    // As Time adjusts it: up to twice as long, not less than a fifth
+    const scalar left =
+        max
+        (
+            scalar(0),
+            (writeTimeIndex_ + 1)*writeInterval_ - (value() - writeOrigin_)
+        );
+    const scalar steps = max(scalar(1), std::round(left/deltaT));
+    const scalar adjusted =
+        min(max(left/steps, 0.2*deltaT), 2*deltaT);
+
+    // The rest is for the function objects to adjust
+    writeControl_ = wcNone;
+    Time::setDeltaT(adjusted);
+    writeControl_ = wcAdjustableRunTime;
+}
+
+
+bool Foam::capsule::restartableTime::writeTimeDict() const
+{
+    writeTimeDict(nullptr);
+    return true;
+}
+
+
+bool Foam::capsule::restartableTime::write(const bool valid) const
+{
+    FIFOStack<word> written(previousWriteTimes_);
+    previousWriteTimes_.clear();
+    const bool good = Time::write(valid);
+    if (!previousWriteTimes_.empty())
+    {
+        written.push(previousWriteTimes_.pop());
+    }
+    previousWriteTimes_ = written;
+
+    if (writeTime() && !good)
+    {
+        FatalErrorInFunction
+            << "Cannot write all files of " << timePath()
+            << ": is the disk full?" << nl
+            << "    This time is not whole: remove its directory to go on from"
+            << " an earlier one." << exit(FatalError);
+    }
+    return good;
+}
+
+
+void Foam::capsule::restartableTime::seal
+(
+    const fvMesh& mesh,
+    const fileNameList& otherFiles
+) const
+{
+    fileNameList files(otherFiles);
+    const HashTable<const regIOobject*> objects
+    (
+        mesh.lookupClass<regIOobject>()
+    );
+    forAllConstIters(objects, iter)
+    {
+        const regIOobject& object = **iter;
+        const bool isRead =
+            object.readOpt() != IOobject::NO_READ
+         || object.name().endsWith("_0");
+        if
+        (
+            isRead && object.writeOpt() == IOobject::AUTO_WRITE
+         && object.instance() == timeName()
+        )
+        {
+            files.append(object.name());
+        }
+    }
+    sort(files);
+
+    for (const fileName& file : files)
+    {
+        const string wrong(defect(timePath()/file));
+        if (!wrong.empty())
+        {
+            FatalErrorInFunction
+                << "Cannot write " << timePath()/file << ", which "
+                << wrong.c_str() << ": is the disk full?" << nl
+                << "    This time is not whole: remove its directory to go on"
+                << " from an earlier one." << exit(FatalError);
+        }
+    }
+    writeTimeDict(&files);
+
+    // Whole on all processors
+    if (returnReduce(purgeWrite_ > 0, orOp<bool>()))
+    {
+        while (previousWriteTimes_.size() > purgeWrite_)
+        {
+            fileHandler().rmDir
+            (
+                fileHandler().filePath(path()/previousWriteTimes_.pop())
+            );
+        }
+    }
+}
