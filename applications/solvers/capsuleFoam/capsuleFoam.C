@@ -109,21 +109,19 @@ int main(int argc, char *argv[])
             membranes.correct();
         }
 
+        // As a restart from here reads it, to the last bit
         pressure = p/membranes.scale();
-        if (membranes.canGoOn())
+        p = pressure*membranes.scale();
+
+        const bool goesOn = membranes.canGoOn();
+        if (!dryRun)
         {
-            runTime.write();
-        }
-        else if (!dryRun)
-        {
-            runTime.writeAndEnd();
-        }
-        if (runTime.writeTime())
-        {
-            // As a restart reads it, to the last bit
-            p = pressure*membranes.scale();
-            membranes.write();
-            runTime.seal(mesh, flow->write());
+            goesOn ? runTime.write() : runTime.writeAndEnd();
+            if (runTime.writeTime())
+            {
+                membranes.write();
+                runTime.seal(mesh, flow->write());
+            }
         }
         runTime.printExecutionTime(Info);
     }
