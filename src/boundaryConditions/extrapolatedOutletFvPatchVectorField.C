@@ -87,6 +87,8 @@ void Foam::extrapolatedOutletFvPatchVectorField::updateCoeffs()
         const vectorField& U = primitiveField();
         const volVectorField& field =
             db().lookupObject<volVectorField>(internalField().name());
+        // Not mesh.C(), which all processors would have to ask for at once
+        const vectorField& C = mesh.cellCentres();
         vectorField& Up = *this;
 
         forAll(Up, i)
@@ -102,14 +104,14 @@ void Foam::extrapolatedOutletFvPatchVectorField::updateCoeffs()
             {
                 continue;
             }
-            const scalar ahead = mag(patch().Cf()[i] - mesh.C()[celli]);
+            const scalar ahead = mag(patch().Cf()[i] - C[celli]);
             if (mesh.isInternalFace(opposite))
             {
                 const label next =
                     mesh.owner()[opposite] == celli
                   ? mesh.neighbour()[opposite]
                   : mesh.owner()[opposite];
-                const scalar behind = mag(mesh.C()[celli] - mesh.C()[next]);
+                const scalar behind = mag(C[celli] - C[next]);
                 Up[i] += ahead/behind*(U[celli] - U[next]);
                 continue;
             }
