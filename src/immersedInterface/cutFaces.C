@@ -22,7 +22,7 @@ void Foam::capsule::cutFaces::checkCell(const label celli) const
     {
         FatalErrorInFunction
             << "The membrane cuts cell " << celli << " at "
-            << mesh.cellCentres()[celli] << ", which is not a hexahedron" << nl
+            << mesh.C()[celli] << ", which is not a hexahedron" << nl
             << "    Cells at a membrane must be orthogonal hexahedra."
             << exit(FatalError);
     }
@@ -36,7 +36,7 @@ void Foam::capsule::cutFaces::checkCell(const label celli) const
         {
             FatalErrorInFunction
                 << "The membrane cuts cell " << celli << " at "
-                << mesh.cellCentres()[celli] << ", which is not orthogonal" << nl
+                << mesh.C()[celli] << ", which is not orthogonal" << nl
                 << "    Cells at a membrane must be orthogonal hexahedra."
                 << exit(FatalError);
         }
