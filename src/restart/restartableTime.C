@@ -12,6 +12,7 @@ License
 #include "wholeFile.H"
 #include "input.H"
 #include "IOdictionary.H"
+#include "localIOdictionary.H"
 #include "argList.H"
 #include "fileOperation.H"
 #include <cmath>
@@ -56,16 +57,17 @@ void Foam::capsule::restartableTime::writeTimeDict(const fileNameList* files) co
 
 void Foam::capsule::restartableTime::resume()
 {
-    const IOobject io(timeFile(IOobject::MUST_READ));
-    const fileName path(timePath()/"uniform"/"time");
-    if (!IOobject(io).typeHeaderOk<IOdictionary>(false))
+    // Not an IOdictionary: that of each processor, for its own files
+    IOobject io(timeFile(IOobject::MUST_READ));
+    if (!io.typeHeaderOk<localIOdictionary>(false))
     {
         FatalErrorInFunction
-            << "The file " << path << " is damaged: no header" << nl
+            << "The file " << timePath()/"uniform"/"time"
+            << " is missing or damaged: no header" << nl
             << "    To go on from an earlier time, remove the directory "
             << timePath() << exit(FatalError);
     }
-    const IOdictionary dict(io);
+    const localIOdictionary dict(io, IOdictionary::typeName);
     if (input::get<label>(dict, "index") == 0)
     {
         return;
@@ -119,7 +121,8 @@ Foam::capsule::restartableTime::restartableTime(const argList& args)
     Time(Time::controlDictName, args),
     writeOrigin_(startTime_)
 {
-    if (isFile(timePath()/"uniform"/"time"))
+    const bool begun = isFile(timePath()/"uniform"/"time");
+    if (returnReduce(begun, orOp<bool>()))
     {
         resume();
     }
