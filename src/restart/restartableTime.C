@@ -96,18 +96,35 @@ void Foam::capsule::restartableTime::resume()
         }
     }
 
-    const scalar exact = input::get<scalar>(dict, "value");
-    if (timeName(exact) != timeName())
+    const auto seconds = [&](const word& entry, const scalar least)
+    {
+        return input::getBetween<scalar>(dict, entry, least, input::largest);
+    };
+    seconds("deltaT0", input::smallest);
+    deltaTSave_ = seconds("deltaT", input::smallest);
+    const scalar exact = seconds("value", -input::largest);
+    const scalar origin = seconds("writeOrigin", -input::largest);
+    if (input::get<string>(dict, "name") != timeName())
     {
         // Copied to another time: OpenFOAM has warned of it
         return;
     }
-    setTime(exact, timeIndex());
-    deltaTSave_ = input::get<scalar>(dict, "deltaT");
+    if (mag(exact - value()) > deltaTSave_)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry value is " << exact << ", not that of the time "
+            << timeName() << ": the file is damaged or was edited"
+            << exit(FatalIOError);
+    }
+    if (timeName(exact) == timeName())
+    {
+        // Else the run goes on with another timePrecision
+        setTime(exact, timeIndex());
+    }
 
     if (writeControl_ == wcRunTime || writeControl_ == wcAdjustableRunTime)
     {
-        writeOrigin_ = input::get<scalar>(dict, "writeOrigin");
+        writeOrigin_ = origin;
         writeTimeIndex_ =
             label((exact - writeOrigin_ + 0.5*deltaTSave_)/writeInterval_);
     }
