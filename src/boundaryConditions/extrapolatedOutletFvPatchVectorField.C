@@ -85,6 +85,10 @@ void Foam::extrapolatedOutletFvPatchVectorField::updateCoeffs()
     {
         const fvMesh& mesh = patch().boundaryMesh().mesh();
         const vectorField& U = primitiveField();
+        const volVectorField& field =
+            db().lookupObject<volVectorField>(internalField().name());
+        // Not mesh.C(), which all processors would have to ask for at once
+        const vectorField& C = mesh.cellCentres();
         vectorField& Up = *this;
 
         forAll(Up, i)
@@ -93,26 +97,37 @@ void Foam::extrapolatedOutletFvPatchVectorField::updateCoeffs()
             const label celli = patch().faceCells()[i];
             Up[i] = U[celli];
 
-            // The cell beyond, where there is one on this processor
+            // The cell beyond, where there is one
             const label opposite =
                 mesh.cells()[celli].opposingFaceLabel(facei, mesh.faces());
-            if (opposite != -1 && mesh.isInternalFace(opposite))
+            if (opposite == -1)
+            {
+                continue;
+            }
+            const scalar ahead = mag(patch().Cf()[i] - C[celli]);
+            if (mesh.isInternalFace(opposite))
             {
                 const label next =
                     mesh.owner()[opposite] == celli
                   ? mesh.neighbour()[opposite]
                   : mesh.owner()[opposite];
-                const scalar ahead =
-                    mag(patch().Cf()[i] - mesh.C()[celli]);
-                const scalar behind = mag(mesh.C()[celli] - mesh.C()[next]);
+                const scalar behind = mag(C[celli] - C[next]);
                 Up[i] += ahead/behind*(U[celli] - U[next]);
+                continue;
+            }
+            const label patchi = mesh.boundaryMesh().whichPatch(opposite);
+            const fvPatchVectorField& other = field.boundaryField()[patchi];
+            if (other.coupled())
+            {
+                const label j = opposite - other.patch().start();
+                const vector next = other.patchNeighbourField()()[j];
+                const scalar behind = mag(other.patch().delta()()[j]);
+                Up[i] += ahead/behind*(U[celli] - next);
             }
         }
 
         // Flux through all boundaries, of which this patch makes up the rest
         scalar flux = gSum(Up & patch().Sf());
-        const volVectorField& field =
-            db().lookupObject<volVectorField>(internalField().name());
         forAll(field.boundaryField(), patchi)
         {
             const fvPatchVectorField& other = field.boundaryField()[patchi];

@@ -464,11 +464,8 @@ void Foam::capsule::membraneSystem::restore()
 
 void Foam::capsule::membraneSystem::write() const
 {
-    if (mesh_.time().writeTime())
+    for (const immersedMembrane& m : parts_)
     {
-        for (const immersedMembrane& m : parts_)
-        {
-            m.write();
-        }
+        m.write();
     }
 }

@@ -92,7 +92,7 @@ void Foam::capsule::sharpMembrane::setJumps
             resolved(curve, passed, s.force),
             s.inertia,
             mu_,
-            smoothness()
+            s.smoothness
         )
     );
 }
@@ -232,6 +232,10 @@ void Foam::capsule::sharpMembrane::start(const volVectorField& U)
     membrane::state& now = body_.now();
     interface_.reset(placed(now.interface));
     setScale();
+    if (body_.nOld() == 0)
+    {
+        now.smoothness = smoothness();
+    }
     setJumps(*interface_, now);
     fit_.reset(new oneSidedFit(*interface_, fitSide()));
 
@@ -260,6 +264,7 @@ void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
     fit_.reset(new oneSidedFit(*interface_, fitSide()));
 
     setScale();
+    body_.now().smoothness = smoothness();
     resolving_ = filter(curve(), forceWaves_);
     setResponse
     (
@@ -319,7 +324,10 @@ void Foam::capsule::sharpMembrane::addSources
     const nodalVectors f = resolvedForce();
     interface_->setJumps
     (
-        jumpConditions(curve(), f, body_.now().inertia, mu_, smoothness())
+        jumpConditions
+        (
+            curve(), f, body_.now().inertia, mu_, body_.now().smoothness
+        )
     );
     if (flux)
     {

@@ -232,21 +232,34 @@ Eigen::SparseMatrix<Foam::scalar> Foam::capsule::directFlowSolver::matrix
 }
 
 
+void Foam::capsule::directFlowSolver::factorise(const fvVectorMatrix& UEqn)
+{
+    addProfiling(factorise, "capsule::directFlowSolver::factorise");
+    factors_.compute(matrix(UEqn));
+    if (factors_.info() != Eigen::Success)
+    {
+        FatalErrorInFunction
+            << "The coupled matrix cannot be factorised: "
+            << factors_.lastErrorMessage().c_str() << exit(FatalError);
+    }
+    factorised_.reset(new fvVectorMatrix(UEqn));
+    stale_ = false;
+}
+
+
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
 void Foam::capsule::directFlowSolver::prepare(const fvVectorMatrix& UEqn)
 {
     if (stale_)
     {
-        addProfiling(factorise, "capsule::directFlowSolver::factorise");
-        factors_.compute(matrix(UEqn));
-        if (factors_.info() != Eigen::Success)
-        {
-            FatalErrorInFunction
-                << "The coupled matrix cannot be factorised: "
-                << factors_.lastErrorMessage().c_str() << exit(FatalError);
-        }
-        stale_ = false;
+        factorise(UEqn);
+    }
+    else if (!varies_)
+    {
+        varies_ =
+            UEqn.diag() != factorised_->diag()
+         || UEqn.upper() != factorised_->upper();
     }
 }
 
@@ -297,7 +310,8 @@ Foam::capsule::directFlowSolver::directFlowSolver
     (
         input::getBetweenOrDefault<label>(dict, "refactor", 6, 1, 10000)
     ),
-    stale_(true)
+    stale_(true),
+    varies_(word(mesh_.ddtScheme("ddt(U)")) != "steadyState")
 {
     if (Pstream::parRun())
     {

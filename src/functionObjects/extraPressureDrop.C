@@ -13,6 +13,8 @@ License
 #include "input.H"
 #include "flowSolver.H"
 #include "fvm.H"
+#include "fixedValueFvPatchFields.H"
+#include "zeroGradientFvPatchFields.H"
 #include "fvc.H"
 #include "IOdictionary.H"
 #include "addToRunTimeSelectionTable.H"
@@ -92,6 +94,27 @@ void Foam::functionObjects::extraPressureDrop::solveEmpty()
     );
     volVectorField& U = *emptyU_;
     volScalarField& p = *emptyp_;
+
+    // The result must not depend on the time: not from the present flow, and
+    // at an outlet whose velocity follows the flow, the developed profile
+    U.primitiveFieldRef() = Zero;
+    p.primitiveFieldRef() = Zero;
+    const fvPatch& outlet = mesh_.boundary()[outlet_];
+    const bool developed = !p.boundaryField()[outlet_].fixesValue();
+    if (developed)
+    {
+        U.boundaryFieldRef().set
+        (
+            outlet_,
+            new zeroGradientFvPatchVectorField(outlet, U)
+        );
+        p.boundaryFieldRef().set
+        (
+            outlet_,
+            new fixedValueFvPatchScalarField(outlet, p)
+        );
+        p.boundaryFieldRef()[outlet_] == 0;
+    }
     surfaceScalarField phi("emptyPhi", fvc::flux(U));
 
     Info<< type() << ' ' << name() << ": empty channel" << endl;
@@ -103,6 +126,12 @@ void Foam::functionObjects::extraPressureDrop::solveEmpty()
     flow->begin(UEqn);
     flow->solve(UEqn, nullptr);
 
+    if (developed)
+    {
+        // As the pressure of the flow is taken there
+        p.boundaryFieldRef()[outlet_] ==
+            scalarField(p.boundaryField()[outlet_].patchInternalField());
+    }
     emptyDrop_ = drop(p);
     flux_ = gSum(phi.boundaryField()[outlet_]);
     if (!(mag(flux_) > SMALL*gSum(mag(phi.primitiveField()))))

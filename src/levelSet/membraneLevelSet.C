@@ -10,6 +10,7 @@ License
 
 #include "membraneLevelSet.H"
 #include "mathematicalConstants.H"
+#include "surfaceFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -68,6 +69,11 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
         dimensionedScalar("one", dimless, 1)
     )
 {
+    // Geometry that the processors make together: not later, on those alone
+    // that hold a part of the membrane
+    mesh.C();
+    mesh.nonOrthDeltaCoeffs();
+
     const nodalVectors corners = curve.sampled(samples_.size());
     treeBoundBox bounds(samples_);
     bounds.min() -= vector::uniform(plane.thickness());

@@ -27,7 +27,7 @@ void Foam::capsule::repeatableStep::grow()
         --cuts_;
         deltaT *= 2;
     }
-    time_.setDeltaT(deltaT, false);
+    time_.Time::setDeltaT(deltaT, false);
 }
 
 
@@ -52,6 +52,7 @@ void Foam::capsule::repeatableStep::end()
     {
         time_.writeAndEnd();
         membranes_.write();
+        time_.seal(mesh_, flow_.write());
     }
 
     FatalErrorInFunction
@@ -71,15 +72,18 @@ void Foam::capsule::repeatableStep::end()
 
 Foam::capsule::repeatableStep::repeatableStep
 (
-    Time& runTime,
+    restartableTime& runTime,
     membraneSystem& membranes,
+    const flowSolver& flow,
     volVectorField& U,
     volScalarField& p,
     surfaceScalarField& phi
 )
 :
+    mesh_(U.mesh()),
     time_(runTime),
     membranes_(membranes),
+    flow_(flow),
     U_(U),
     p_(p),
     phi_(phi),
@@ -147,7 +151,7 @@ bool Foam::capsule::repeatableStep::repeat()
     Info<< "Step to " << failed << " failed: "
         << membranes_.failure().c_str() << "; again with half of it" << nl
         << endl;
-    time_.setDeltaT(0.5*deltaT, false);
+    time_.Time::setDeltaT(0.5*deltaT, false);
     if (!time_.isAdjustTimeStep())
     {
         ++cuts_;

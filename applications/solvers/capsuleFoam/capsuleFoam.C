@@ -33,6 +33,7 @@ Description
 #include "flowSolver.H"
 #include "membraneSystem.H"
 #include "repeatableStep.H"
+#include "restartableTime.H"
 #include "functionObject.H"
 #include "profiling.H"
 #include "sigFpe.H"
@@ -60,7 +61,7 @@ int main(int argc, char *argv[])
     // Until the files are read: a number beyond the range of a scalar is an
     // error of its file, not a floating-point exception
     sigFpe::ignore untrapped;
-    #include "createTime.H"
+    capsule::restartableTime runTime(args);
 
     // Not createMesh.H, whose dry run has a mesh without room for membranes
     fvMesh mesh
@@ -114,9 +115,19 @@ int main(int argc, char *argv[])
         }
         while (step.repeat());
 
+        // As a restart from here reads it, to the last bit
         pressure = p/membranes.scale();
-        runTime.write();
-        membranes.write();
+        p = pressure*membranes.scale();
+
+        if (!dryRun)
+        {
+            runTime.write();
+            if (runTime.writeTime())
+            {
+                membranes.write();
+                runTime.seal(mesh, flow->write());
+            }
+        }
         runTime.printExecutionTime(Info);
     }
 

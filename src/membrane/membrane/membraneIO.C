@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membrane.H"
+#include "wholeFile.H"
 #include "fvMesh.H"
 #include "OSHA1stream.H"
 #include "sigFpe.H"
@@ -73,14 +74,19 @@ public:
         os_.precision(17);
     }
 
-    //- Add a field, with zeros as they are read: without sign
+    //- Add a number, zero as it is read: without sign
+    void add(const scalar x)
+    {
+        os_ << (mag(x) > VSMALL ? x : 0) << ' ';
+    }
+
     void add(const vectorField& field)
     {
         for (const vector& v : field)
         {
             for (const scalar x : v)
             {
-                os_ << (mag(x) > VSMALL ? x : 0) << ' ';
+                add(x);
             }
         }
     }
@@ -92,7 +98,7 @@ public:
 };
 
 
-//- Writer of the time levels of a membrane, with all digits
+//- Writer of the time levels of a membrane
 class stateWriter
 :
     public regIOobject
@@ -118,7 +124,6 @@ public:
 
     virtual bool writeData(Ostream& os) const
     {
-        os.precision(17);
         stateDigest digest;
         os.writeEntry("oldLevels", membrane_.nOld());
         for (label i = 0; i <= membrane_.nOld(); ++i)
@@ -134,6 +139,8 @@ public:
                 const UList<vector>& list = field;
                 list.writeEntry(entry.name, os);
             }
+            digest.add(s.smoothness);
+            os.writeEntry("smoothness", s.smoothness);
             os.endBlock();
         }
         os.writeEntry("digest", digest.str());
@@ -207,6 +214,8 @@ bool Foam::capsule::membrane::readState(const Time& runTime)
             digest.add(field);
             s.*entry.field = plane_.toNodes(field);
         }
+        s.smoothness = input::get<scalar>(level, "smoothness");
+        digest.add(s.smoothness);
         return s;
     };
 
@@ -235,7 +244,7 @@ bool Foam::capsule::membrane::readState(const Time& runTime)
 
 void Foam::capsule::membrane::write(const Time& runTime) const
 {
-    stateWriter(*this, plane_, runTime).write();
+    writeWhole(stateWriter(*this, plane_, runTime), runTime.writeFormat());
 }
 
 
