@@ -91,6 +91,10 @@ Foam::capsule::nodalScalars Foam::capsule::flowEquations::residual
         }
     }
     momentum -= gradp.primitiveField();
+    if (force_ != vector(Zero))
+    {
+        momentum += force_;
+    }
 
     phi_ =
         fvc::flux(U_)
@@ -264,6 +268,7 @@ Foam::capsule::flowEquations::flowEquations
         mesh_,
         dimensionedScalar(dimVelocity*dimLength/dimPressure, Zero)
     ),
+    force_(Zero),
     pressureScale_(1)
 {
     if (p.needReference())

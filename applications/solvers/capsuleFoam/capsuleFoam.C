@@ -31,6 +31,7 @@ Description
 #include "extrapolatedFlux.H"
 #include "flowSolver.H"
 #include "membraneSystem.H"
+#include "drivingForce.H"
 #include "functionObject.H"
 #include "profiling.H"
 #include "sigFpe.H"
@@ -108,7 +109,7 @@ int main(int argc, char *argv[])
             membranes.correct();
         }
 
-        pressure = p/membranes.scale();
+        pressure = membranes.unscaled(p);
         if (membranes.canGoOn())
         {
             runTime.write();
