@@ -13,6 +13,8 @@ License
 #include "wedgePolyPatch.H"
 #include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
+#include "volFields.H"
+#include "surfaceFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -128,6 +130,12 @@ Foam::capsule::meshPlane::meshPlane(const fvMesh& mesh)
     centre_ = (*this)(bounds.midpoint());
     span_ = (*this)(bounds.span());
     setPeriods(mesh);
+
+    // Geometry that is made on demand, which takes all processors: later only
+    // those that a membrane cuts would ask for it
+    mesh.C();
+    mesh.weights();
+    mesh.nonOrthDeltaCoeffs();
 }
 
 
