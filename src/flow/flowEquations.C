@@ -51,6 +51,24 @@ void Foam::capsule::flowEquations::setReference(const dictionary& dict)
 }
 
 
+void Foam::capsule::flowEquations::checkHeld() const
+{
+    bool held = plane_.periods().size() < 2;
+    for (const fvPatchVectorField& pf : U_.boundaryField())
+    {
+        held = held || pf.fixesValue();
+    }
+    if (!held && word(mesh_.ddtScheme("ddt(U)")) == "steadyState")
+    {
+        FatalIOErrorInFunction(mesh_.schemesDict().subDict("ddtSchemes"))
+            << "Entry ddt(U) is steadyState, Stokes flow, but the mesh is"
+            << " periodic in both directions and no boundary gives the"
+            << " velocity: its level is free; permitted here: Euler, backward"
+            << exit(FatalIOError);
+    }
+}
+
+
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 void Foam::capsule::flowEquations::set(const fvVectorMatrix& UEqn)
@@ -271,6 +289,7 @@ Foam::capsule::flowEquations::flowEquations
     force_(Zero),
     pressureScale_(1)
 {
+    checkHeld();
     if (p.needReference())
     {
         setReference(dict);
