@@ -22,7 +22,7 @@ Foam::extrapolatedOutletFvPatchVectorField::extrapolatedOutletFvPatchVectorField
 )
 :
     fixedValueFvPatchVectorField(p, iF),
-    curTimeIndex_(-1)
+    curTime_(-GREAT)
 {}
 
 
@@ -34,7 +34,7 @@ Foam::extrapolatedOutletFvPatchVectorField::extrapolatedOutletFvPatchVectorField
 )
 :
     fixedValueFvPatchVectorField(p, iF, dict),
-    curTimeIndex_(-1)
+    curTime_(-GREAT)
 {}
 
 
@@ -47,7 +47,7 @@ Foam::extrapolatedOutletFvPatchVectorField::extrapolatedOutletFvPatchVectorField
 )
 :
     fixedValueFvPatchVectorField(ptf, p, iF, mapper),
-    curTimeIndex_(-1)
+    curTime_(-GREAT)
 {}
 
 
@@ -57,7 +57,7 @@ Foam::extrapolatedOutletFvPatchVectorField::extrapolatedOutletFvPatchVectorField
 )
 :
     fixedValueFvPatchVectorField(ptf),
-    curTimeIndex_(ptf.curTimeIndex_)
+    curTime_(ptf.curTime_)
 {}
 
 
@@ -68,7 +68,7 @@ Foam::extrapolatedOutletFvPatchVectorField::extrapolatedOutletFvPatchVectorField
 )
 :
     fixedValueFvPatchVectorField(ptf, iF),
-    curTimeIndex_(ptf.curTimeIndex_)
+    curTime_(ptf.curTime_)
 {}
 
 
@@ -81,7 +81,7 @@ void Foam::extrapolatedOutletFvPatchVectorField::updateCoeffs()
         return;
     }
 
-    if (curTimeIndex_ != db().time().timeIndex())
+    if (curTime_ != db().time().value())
     {
         const fvMesh& mesh = patch().boundaryMesh().mesh();
         const vectorField& U = primitiveField();
@@ -123,7 +123,7 @@ void Foam::extrapolatedOutletFvPatchVectorField::updateCoeffs()
         }
         Up -= flux/gSum(patch().magSf())*patch().nf();
 
-        curTimeIndex_ = db().time().timeIndex();
+        curTime_ = db().time().value();
     }
 
     fixedValueFvPatchVectorField::updateCoeffs();

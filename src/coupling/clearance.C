@@ -14,7 +14,7 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-const Foam::scalar Foam::capsule::clearance::least = 1;
+const Foam::scalar Foam::capsule::clearance::least = 0.1;
 const Foam::scalar Foam::capsule::clearance::leastToImage = 8;
 
 
@@ -43,6 +43,13 @@ bool Foam::capsule::clearance::meetHere
     const nodalVectors& b
 ) const
 {
+    // Boxes apart, as those of most images are
+    const vector2 after = a.colwise().minCoeff() - b.colwise().maxCoeff();
+    const vector2 before = b.colwise().minCoeff() - a.colwise().maxCoeff();
+    if (max(after.maxCoeff(), before.maxCoeff()) > least*width_)
+    {
+        return false;
+    }
     for (label i = 0; i < a.rows(); ++i)
     {
         const scalar nearest =

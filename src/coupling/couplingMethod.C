@@ -42,6 +42,8 @@ Foam::capsule::couplingMethod::couplingMethod
                 "displacementTolerance",
                 "maxIter",
                 "conserveArea",
+                "failedStep",
+                "maxCuts",
                 "relaxation"
             },
             own

@@ -164,6 +164,13 @@ void Foam::capsule::diffuseMembrane::predict(const couplingMethod& method)
 }
 
 
+void Foam::capsule::diffuseMembrane::restore()
+{
+    immersedMembrane::restore();
+    place(body_.now().interface);
+}
+
+
 void Foam::capsule::diffuseMembrane::addViscosity(volScalarField& mu) const
 {
     if (!smeared())

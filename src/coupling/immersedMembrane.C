@@ -211,6 +211,12 @@ Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted
 }
 
 
+void Foam::capsule::immersedMembrane::restore()
+{
+    body_.restore();
+}
+
+
 Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::unknowns() const
 {
     return stacked(body_.now().force);

@@ -39,6 +39,26 @@ Foam::string Foam::capsule::membraneSystem::obstacle
 }
 
 
+Foam::string Foam::capsule::membraneSystem::predictedObstacle() const
+{
+    const Time& time = mesh_.time();
+    List<nodalVectors> points(parts_.size());
+    forAll(parts_, i)
+    {
+        points[i] =
+            parts_[i].predicted(time.deltaTValue(), time.deltaT0Value());
+        const string near = obstacle(i, points);
+        if (!near.empty())
+        {
+            return
+                "membrane " + parts_[i].body().name() + " comes closer than "
+              + Foam::name(clearance::least) + " cell widths to " + near;
+        }
+    }
+    return string::null;
+}
+
+
 void Foam::capsule::membraneSystem::readMembranes()
 {
     const dictionary& dict = input::subDict(*this, "membranes");
@@ -288,7 +308,8 @@ Foam::capsule::membraneSystem::membraneSystem
         dimensionedVector(dimPressure/dimLength, Zero)
     ),
     iter_(0),
-    converged_(true)
+    converged_(true),
+    placed_(false)
 {
     // Wrong time schemes stop here, before the first step
     input::warnOfOthers
@@ -353,6 +374,16 @@ void Foam::capsule::membraneSystem::predict()
 {
     addProfiling(predict, "capsule::membraneSystem::predict");
 
+    iter_ = 0;
+    converged_ = (size() == 0);
+    placed_ = false;
+    failure_ = predictedObstacle();
+    if (!failure_.empty())
+    {
+        return;
+    }
+
+    placed_ = true;
     label size = 0;
     for (immersedMembrane& m : parts_)
     {
@@ -374,8 +405,6 @@ void Foam::capsule::membraneSystem::predict()
     }
 
     method_->start();
-    iter_ = 0;
-    converged_ = false;
 }
 
 
@@ -396,10 +425,19 @@ bool Foam::capsule::membraneSystem::loop()
         return iter_++ == 0;
     }
 
-    if (converged_ || iter_ == maxIter_)
+    if (!converged_ && iter_ == maxIter_)
     {
-        Info<< "Membranes: " << (converged_ ? "converged" : "NOT converged")
-            << " in " << iter_ << " iterations" << endl;
+        failure_ =
+            "the membranes have not converged in " + Foam::name(iter_)
+          + " iterations";
+    }
+    if (converged_ || !failure_.empty())
+    {
+        if (iter_ > 0)
+        {
+            Info<< "Membranes: " << (converged_ ? "converged" : "NOT converged")
+                << " in " << iter_ << " iterations" << endl;
+        }
         return false;
     }
 
@@ -442,10 +480,8 @@ void Foam::capsule::membraneSystem::correct()
 
     if (!(stress < input::largest && displacement < input::largest))
     {
-        FatalErrorInFunction
-            << "The membranes of " << objectPath() << " diverge: see the"
-            << " entries of elasticLaw, bending, viscosity and coupling, and"
-            << " deltaT" << exit(FatalError);
+        failure_ = "the membranes diverge";
+        return;
     }
 
     converged_ =
@@ -465,24 +501,17 @@ void Foam::capsule::membraneSystem::correct()
 }
 
 
-bool Foam::capsule::membraneSystem::canGoOn() const
+void Foam::capsule::membraneSystem::restore()
 {
-    const scalar dt = mesh_.time().deltaTValue();
-    List<nodalVectors> points(parts_.size());
-    forAll(parts_, i)
+    if (placed_)
     {
-        points[i] = parts_[i].predicted(dt, dt);
-        const string near = obstacle(i, points);
-        if (!near.empty())
+        for (immersedMembrane& m : parts_)
         {
-            Info<< nl << "Membrane " << parts_[i].body().name()
-                << " comes closer than " << clearance::least
-                << " cell widths to " << near.c_str()
-                << ": the run ends here, with its state written" << nl << endl;
-            return false;
+            m.restore();
         }
+        setScale();
+        placed_ = false;
     }
-    return true;
 }
 
 

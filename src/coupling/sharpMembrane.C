@@ -189,6 +189,22 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastForce
     const vector2 a =
         (integral(traction) - momentumRate())*normals.inverse();
     pressure += scale_*n*a.transpose();
+    if (ratio_ > 1 && !inertial())
+    {
+        // So is the moment; shear along the membrane fills it
+        const auto moment = [&](const nodalVectors& v)
+        {
+            const nodalVectors& x = curve().nodes();
+            return curve().integral
+            (
+                x.col(0).cwiseProduct(v.col(1))
+              - x.col(1).cwiseProduct(v.col(0))
+            );
+        };
+        const nodalVectors corrected =
+            ratio_*viscous - scaled(pressure/scale_, n);
+        viscous -= t*(moment(corrected)/(ratio_*moment(t)));
+    }
 
     body_.now().inner.col(0) = vorticity;
     body_.now().inner.col(1) = pressure/scale_;
@@ -262,6 +278,16 @@ void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
     {
         body_.now().inertia = inertia();
     }
+}
+
+
+void Foam::capsule::sharpMembrane::restore()
+{
+    immersedMembrane::restore();
+
+    interface_.reset(old_[0].release());
+    old_[0].reset(old_[1].release());
+    fit_.reset(new oneSidedFit(*interface_, fitSide()));
 }
 
 

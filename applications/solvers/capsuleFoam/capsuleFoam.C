@@ -18,7 +18,8 @@ Description
     (A) places the membranes where the step leads them, and sets up the
         momentum equation on either side of them;
     (B) iterates pressure, velocity, membranes and membrane stress until they
-        agree to the tolerances.
+        agree to the tolerances; a step in which they do not is taken again in
+        parts, or ends the run, see repeatableStep.
 
     Momentum is divided by mu/mu_out on each side, so that the matrices are
     those of one fluid; p is the scaled pressure while the equations are
@@ -32,6 +33,7 @@ Description
 #include "flowSolver.H"
 #include "membraneSystem.H"
 #include "drivingForce.H"
+#include "repeatableStep.H"
 #include "functionObject.H"
 #include "profiling.H"
 #include "sigFpe.H"
@@ -94,30 +96,27 @@ int main(int argc, char *argv[])
         #include "CourantNo.H"
         #include "setDeltaT.H"
 
-        ++runTime;
-
-        Info<< "Time = " << runTime.timeName() << nl << endl;
-
-        // (A) Membranes of the step, momentum equation
-        membranes.predict();
-        #include "UEqn.H"
-
-        // (B) Pressure, velocity, membranes and their stress
-        while (membranes.loop())
+        do
         {
-            #include "pEqn.H"
-            membranes.correct();
+            step.start();
+
+            Info<< "Time = " << runTime.timeName() << nl << endl;
+
+            // (A) Membranes of the step, momentum equation
+            membranes.predict();
+            #include "UEqn.H"
+
+            // (B) Pressure, velocity, membranes and their stress
+            while (membranes.loop())
+            {
+                #include "pEqn.H"
+                membranes.correct();
+            }
         }
+        while (step.repeat());
 
         pressure = membranes.unscaled(p);
-        if (membranes.canGoOn())
-        {
-            runTime.write();
-        }
-        else if (!dryRun)
-        {
-            runTime.writeAndEnd();
-        }
+        runTime.write();
         membranes.write();
         runTime.printExecutionTime(Info);
     }

@@ -46,6 +46,16 @@ Foam::capsule::nodalScalars Foam::capsule::elasticLaws::Hookean::tension
 }
 
 
+Foam::capsule::nodalScalars Foam::capsule::elasticLaws::Hookean::energy
+(
+    const nodalScalars& stretch
+) const
+{
+    return
+        0.5*modulus_*(stretch.array() - 1).square();
+}
+
+
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::Hookean::stiffness
 (
     const nodalScalars& stretch

@@ -46,6 +46,17 @@ Foam::capsule::nodalScalars Foam::capsule::elasticLaws::neoHookean::tension
 }
 
 
+Foam::capsule::nodalScalars Foam::capsule::elasticLaws::neoHookean::energy
+(
+    const nodalScalars& stretch
+) const
+{
+    return
+        shearModulus_
+       *(stretch.array().cube()/3 - stretch.array() + scalar(2)/3);
+}
+
+
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::neoHookean::stiffness
 (
     const nodalScalars& stretch

@@ -37,6 +37,16 @@ Foam::capsule::nodalScalars Foam::capsule::elasticLaws::noTension::tension
 }
 
 
+Foam::capsule::nodalScalars Foam::capsule::elasticLaws::noTension::energy
+(
+    const nodalScalars& stretch
+) const
+{
+    return
+        nodalScalars::Zero(stretch.size());
+}
+
+
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::noTension::stiffness
 (
     const nodalScalars& stretch

@@ -46,6 +46,16 @@ Foam::capsule::nodalScalars Foam::capsule::elasticLaws::surfaceTension::tension
 }
 
 
+Foam::capsule::nodalScalars Foam::capsule::elasticLaws::surfaceTension::energy
+(
+    const nodalScalars& stretch
+) const
+{
+    return
+        surfaceTension_*stretch;
+}
+
+
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::surfaceTension::stiffness
 (
     const nodalScalars& stretch

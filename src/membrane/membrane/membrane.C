@@ -138,6 +138,18 @@ Foam::capsule::membrane::membrane
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::capsule::membrane::elasticEnergy
+(
+    const closedCurve& curve
+) const
+{
+    const nodalScalars perLength = law_->energy(stretch(curve));
+
+    return
+        constant::mathematical::twoPi/size()*perLength.dot(referenceMetric_);
+}
+
+
 Foam::capsule::nodalVectors Foam::capsule::membrane::force
 (
     const closedCurve& curve,
@@ -161,12 +173,13 @@ Foam::capsule::nodalMatrix Foam::capsule::membrane::forceJacobian
     const closedCurve& curve
 ) const
 {
-    // d(T t) = [(dT/ds/g_ref - T/g) t t + T/g I] dx'
+    // d(T t) = [(dT/ds/g_ref - T/g) t t + T/g I] dx', less what a membrane in
+    // compression loses by turning: so no wave is made to grow
     const label n = size();
     const nodalScalars t = tension(curve);
     const nodalScalars along =
         law_->stiffness(stretch(curve)).cwiseQuotient(referenceMetric_);
-    const nodalScalars turning = t.cwiseQuotient(curve.metric());
+    const nodalScalars turning = t.cwiseMax(0).cwiseQuotient(curve.metric());
     const nodalMatrix& d = basis_->derivative();
     const nodalScalars perLength = curve.metric().cwiseInverse();
 
@@ -196,10 +209,21 @@ Foam::capsule::nodalMatrix Foam::capsule::membrane::forceJacobian
 
 void Foam::capsule::membrane::store()
 {
-    old_.setSize(min(nOld() + 1, label(2)));
-    if (nOld() == 2)
+    old_.setSize(min(old_.size() + 1, label(3)));
+    for (label i = old_.size() - 1; i > 0; --i)
     {
-        old_[1] = old_[0];
+        std::swap(old_[i], old_[i - 1]);
     }
     old_[0] = now_;
+}
+
+
+void Foam::capsule::membrane::restore()
+{
+    std::swap(now_, old_[0]);
+    for (label i = 1; i < old_.size(); ++i)
+    {
+        std::swap(old_[i - 1], old_[i]);
+    }
+    old_.setSize(old_.size() - 1);
 }

@@ -1,0 +1,157 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "repeatableStep.H"
+#include "input.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::capsule::repeatableStep::grow()
+{
+    if (cuts_ == 0)
+    {
+        return;
+    }
+    ++taken_;
+    scalar deltaT = time_.deltaTValue();
+    while (cuts_ > 0 && taken_ % 2 == 0)
+    {
+        taken_ /= 2;
+        --cuts_;
+        deltaT *= 2;
+    }
+    time_.setDeltaT(deltaT, false);
+}
+
+
+void Foam::capsule::repeatableStep::goBack()
+{
+    if (U_.older())
+    {
+        start_.setFirst();
+    }
+    U_.restore();
+    p_.restore();
+    phi_.restore();
+    static_cast<TimeState&>(time_) = start_;
+    membranes_.restore();
+}
+
+
+void Foam::capsule::repeatableStep::end()
+{
+    const bool first = (time_.timeIndex() == time_.startTimeIndex());
+    if (!first)
+    {
+        time_.writeAndEnd();
+        membranes_.write();
+    }
+
+    FatalErrorInFunction
+        << "The run ends at time " << time_.timeName() << ": "
+        << membranes_.failure().c_str() << nl
+        << (
+               first
+             ? "    It has taken no step: nothing is written."
+             : "    Its state is written, to restart from."
+           )
+        << " See deltaT, and elasticLaw, bending, viscosity and coupling in "
+        << membranes_.objectPath() << exit(FatalError);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::repeatableStep::repeatableStep
+(
+    Time& runTime,
+    membraneSystem& membranes,
+    volVectorField& U,
+    volScalarField& p,
+    surfaceScalarField& phi
+)
+:
+    time_(runTime),
+    membranes_(membranes),
+    U_(U),
+    p_(p),
+    phi_(phi),
+    start_(runTime),
+    maxCuts_(0),
+    least_(0),
+    cuts_(0),
+    taken_(0)
+{
+    const dictionary& dict = membranes.subDict("coupling");
+    const word choice(input::getOrDefault<word>(dict, "failedStep", "cut"));
+    if (choice != "cut" && choice != "stop")
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry failedStep is " << choice << "; permitted: cut, stop"
+            << exit(FatalIOError);
+    }
+    const label most =
+        input::getBetweenOrDefault<label>(dict, "maxCuts", 8, 1, 30);
+    if (choice == "cut")
+    {
+        maxCuts_ = most;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::capsule::repeatableStep::start()
+{
+    if (membranes_.size() > 0)
+    {
+        U_.store();
+        p_.store();
+        phi_.store();
+        start_ = timeAtStart(time_);
+
+        // Cut again and again, an adjustable step may become ever smaller
+        const scalar decay = time_.isAdjustTimeStep() ? 0.9 : 1;
+        least_ =
+            max(time_.deltaTValue()/pow(2, maxCuts_), decay*least_);
+    }
+    ++time_;
+}
+
+
+bool Foam::capsule::repeatableStep::repeat()
+{
+    if (membranes_.converged())
+    {
+        grow();
+        return false;
+    }
+
+    const word failed(time_.timeName());
+    const scalar deltaT = time_.deltaTValue();
+    goBack();
+
+    if (deltaT < 1.5*least_ || time_.stopAt() == Time::saNoWriteNow)
+    {
+        end();
+        return false;
+    }
+
+    Info<< "Step to " << failed << " failed: "
+        << membranes_.failure().c_str() << "; again with half of it" << nl
+        << endl;
+    time_.setDeltaT(0.5*deltaT, false);
+    if (!time_.isAdjustTimeStep())
+    {
+        ++cuts_;
+        taken_ *= 2;
+    }
+    return true;
+}
