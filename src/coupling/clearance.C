@@ -15,6 +15,52 @@ License
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 const Foam::scalar Foam::capsule::clearance::least = 0.1;
+const Foam::scalar Foam::capsule::clearance::leastToImage = 8;
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+
+//- Middle of the box around points
+static vector2 middle(const nodalVectors& points)
+{
+    return 0.5*(points.colwise().minCoeff() + points.colwise().maxCoeff());
+}
+
+} // End namespace capsule
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::capsule::clearance::meetHere
+(
+    const nodalVectors& a,
+    const nodalVectors& b
+) const
+{
+    // Boxes apart, as those of most images are
+    const vector2 after = a.colwise().minCoeff() - b.colwise().maxCoeff();
+    const vector2 before = b.colwise().minCoeff() - a.colwise().maxCoeff();
+    if (max(after.maxCoeff(), before.maxCoeff()) > least*width_)
+    {
+        return false;
+    }
+    for (label i = 0; i < a.rows(); ++i)
+    {
+        const scalar nearest =
+            (b.rowwise() - a.row(i)).rowwise().squaredNorm().minCoeff();
+        if (nearest < sqr(least*width_))
+        {
+            return true;
+        }
+    }
+    return inPolygon(a.row(0), b) || inPolygon(b.row(0), a);
+}
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -27,7 +73,8 @@ Foam::capsule::clearance::clearance
 :
     mesh_(mesh),
     plane_(plane),
-    width_(Foam::sqrt(gMin(mesh.V().field())/plane.thickness()))
+    width_(Foam::sqrt(gMin(mesh.V().field())/plane.thickness())),
+    largest_(Foam::sqrt(gMax(mesh.V().field())/plane.thickness()))
 {
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
@@ -51,14 +98,28 @@ Foam::capsule::clearance::clearance
 
 Foam::string Foam::capsule::clearance::obstacle
 (
-    const nodalVectors& points
+    const nodalVectors& curve
 ) const
 {
+    nodalVectors points(curve);
     for (label i = 0; i < points.rows(); ++i)
     {
-        if (!mesh_.bounds().contains(plane_.toPoint(points.row(i))))
+        points.row(i) = plane_.wrapped(curve.row(i));
+        if (!plane_.contains(points.row(i)))
         {
             return "the boundary";
+        }
+    }
+
+    for (const vector2& p : plane_.periods())
+    {
+        const nodalScalars along = curve*p.transpose()/p.norm();
+        const scalar gap = p.norm() - (along.maxCoeff() - along.minCoeff());
+        if (gap < leastToImage*largest_)
+        {
+            return
+                "its own image, a period away: at least "
+              + Foam::name(leastToImage) + " cell widths must lie between";
         }
     }
 
@@ -113,14 +174,17 @@ bool Foam::capsule::clearance::meet
     const nodalVectors& b
 ) const
 {
-    for (label i = 0; i < a.rows(); ++i)
+    if (plane_.periods().empty())
     {
-        const scalar nearest =
-            (b.rowwise() - a.row(i)).rowwise().squaredNorm().minCoeff();
-        if (nearest < sqr(least*width_))
+        return meetHere(a, b);
+    }
+    const vector2 centre = middle(b);
+    for (const vector2& image : plane_.images(centre, middle(a)))
+    {
+        if (meetHere(a, b.rowwise() + (image - centre)))
         {
             return true;
         }
     }
-    return inPolygon(a.row(0), b) || inPolygon(b.row(0), a);
+    return false;
 }

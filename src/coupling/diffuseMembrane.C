@@ -61,7 +61,7 @@ void Foam::capsule::diffuseMembrane::place(const nodalVectors& nodes)
     std::vector<Eigen::Triplet<scalar>> entries;
     forAll(cells, i)
     {
-        const vector2 centre = plane_(mesh_.C()[cells[i]]);
+        const vector2 centre = levelSet_->image(mesh_.C()[cells[i]]);
         for (Eigen::Index k = 0; k < nodes.rows(); ++k)
         {
             const vector2 r = (centre - nodes.row(k))/h;

@@ -234,6 +234,7 @@ Foam::capsule::immersedMembrane::correct
 (
     const volVectorField& U,
     const volScalarField& p,
+    const vector2& driving,
     const couplingMethod& method,
     const bool conserveArea
 )
@@ -246,7 +247,7 @@ Foam::capsule::immersedMembrane::correct
         method.implicitStress()
       ? body_.force(body_.curve(), curve().metric())
       : explicitForce_;
-    const nodalVectors balance = F - now.force + contrastForce();
+    const nodalVectors balance = F - now.force + contrastForce(driving);
 
     const timeScheme scheme(mesh_, "ddt(membranes)", body_.nOld());
     const scalar size =

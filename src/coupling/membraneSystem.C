@@ -142,6 +142,34 @@ void Foam::capsule::membraneSystem::setScale()
 }
 
 
+void Foam::capsule::membraneSystem::addDriven
+(
+    volScalarField& pressure,
+    const bool inverse
+) const
+{
+    const vector2 G = plane_(driving_.force());
+    for (const immersedMembrane& m : parts_)
+    {
+        const scalar a = (inverse ? 1/m.scale() : m.scale());
+        if (a == 1 || G.isZero(0))
+        {
+            continue;
+        }
+        const membraneLevelSet& distance = m.distance();
+        forAll(pressure, celli)
+        {
+            if (distance.side()[celli] < 0)
+            {
+                pressure[celli] +=
+                    (1 - a)
+                   *G.dot(distance.image(mesh_.C()[celli]) - distance.centre());
+            }
+        }
+    }
+}
+
+
 void Foam::capsule::membraneSystem::setViscosity()
 {
     if (sources_.viscosity.valid())
@@ -212,7 +240,8 @@ Foam::capsule::membraneSystem::membraneSystem
     volVectorField& U,
     volScalarField& p,
     const dimensionedScalar& rho,
-    const dimensionedScalar& mu
+    const dimensionedScalar& mu,
+    const drivingForce& driving
 )
 :
     IOdictionary
@@ -238,6 +267,7 @@ Foam::capsule::membraneSystem::membraneSystem
     p_(p),
     rho_(rho.value()),
     mu_(mu.value()),
+    driving_(driving),
     method_(couplingMethod::New(input::subDict(*this, "coupling"))),
     stressTolerance_
     (
@@ -317,6 +347,28 @@ Foam::capsule::membraneSystem::membraneSystem
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::volScalarField> Foam::capsule::membraneSystem::unscaled
+(
+    const volScalarField& p
+) const
+{
+    tmp<volScalarField> result(p/scale_);
+    addDriven(result.ref(), true);
+    return result;
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::capsule::membraneSystem::scaled
+(
+    const volScalarField& p
+) const
+{
+    tmp<volScalarField> result(p*scale_);
+    addDriven(result.ref(), false);
+    return result;
+}
+
 
 void Foam::capsule::membraneSystem::predict()
 {
@@ -404,6 +456,7 @@ void Foam::capsule::membraneSystem::correct()
 {
     addProfiling(correct, "capsule::membraneSystem::correct");
 
+    const vector2 driving = plane_(driving_.force());
     nodalScalars step(unknowns_.size());
     scalar stress = 0;
     scalar displacement = 0;
@@ -412,7 +465,7 @@ void Foam::capsule::membraneSystem::correct()
     for (immersedMembrane& m : parts_)
     {
         const immersedMembrane::correction found =
-            m.correct(U_, p_, *method_, conserveArea_);
+            m.correct(U_, p_, driving, *method_, conserveArea_);
         step.segment(start, found.step.size()) = found.step;
         start += found.step.size();
         stress = max(stress, found.stress);

@@ -148,16 +148,22 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::velocity
 }
 
 
-Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastForce()
+Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastForce
+(
+    const vector2& driving
+)
 {
     if (ratio_ == 1)
     {
-        return immersedMembrane::contrastForce();
+        return immersedMembrane::contrastForce(driving);
     }
     const nodalVectors& n = curve().normal();
     const nodalVectors& t = curve().tangent();
 
-    nodalScalars pressure = fluid_.pressure(mu_);
+    // The real pressure, scaled: see membraneSystem, driven flow
+    nodalScalars pressure =
+        fluid_.pressure(mu_)
+      - (curve().nodes().rowwise() - distance().centre())*driving.transpose();
     nodalVectors viscous = fluid_.viscous(n, mu_);
     nodalScalars vorticity = mu_*fluid_.vorticity();
     if (fitSide() > 0)

@@ -115,15 +115,17 @@ Foam::capsule::vector2 Foam::capsule::sharpMembrane::momentumRate() const
 {
     const timeScheme scheme(mesh_, "ddt(U)", body_.nOld());
 
-    // Integral of the velocity over the area, by the divergence theorem
+    // Integral of the velocity over the area, by the divergence theorem; about
+    // the centroid, so that it is the same wherever the membrane is
     const auto flow = [&](const membrane::state& s)
     {
         const closedCurve curve(body_.basis(), s.x);
         const nodalScalars un = dot(s.velocity, curve.normal());
+        const nodalVectors x = s.x.rowwise() - curve.centroid();
         return vector2
         (
-            curve.integral(s.x.col(0).cwiseProduct(un)),
-            curve.integral(s.x.col(1).cwiseProduct(un))
+            curve.integral(x.col(0).cwiseProduct(un)),
+            curve.integral(x.col(1).cwiseProduct(un))
         );
     };
 

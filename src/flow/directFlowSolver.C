@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "directFlowSolver.H"
+#include "cyclicFvPatch.H"
 #include "profiling.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -28,30 +29,88 @@ namespace capsule
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::List<Foam::capsule::directFlowSolver::link>
+Foam::capsule::directFlowSolver::links(const fvVectorMatrix& UEqn) const
+{
+    DynamicList<link> result(mesh_.nInternalFaces());
+    const scalarField& lower = UEqn.lower();
+    const scalarField& upper = UEqn.upper();
+    const surfaceScalarField& delta = mesh_.nonOrthDeltaCoeffs();
+
+    forAll(mesh_.neighbour(), facei)
+    {
+        result.append
+        ({
+            mesh_.owner()[facei], mesh_.neighbour()[facei],
+            mesh_.Sf()[facei], mesh_.weights()[facei], delta[facei],
+            rAUf_[facei], upper[facei], lower[facei]
+        });
+    }
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        if (!isA<cyclicFvPatch>(patch))
+        {
+            continue;
+        }
+        const auto& cyclic = refCast<const cyclicFvPatch>(patch);
+        if (!cyclic.owner())
+        {
+            continue;
+        }
+        const label patchi = patch.index();
+        const labelUList& here = patch.faceCells();
+        const labelUList& there = cyclic.neighbPatch().faceCells();
+        const vectorField& ofThere = UEqn.boundaryCoeffs()[patchi];
+        const vectorField& ofHere =
+            UEqn.boundaryCoeffs()[cyclic.neighbPatch().index()];
+        forAll(here, i)
+        {
+            // The same for all components without a rotation
+            const direction d = plane_.axis(0);
+            result.append
+            ({
+                here[i], there[i],
+                patch.Sf()[i], patch.weights()[i],
+                delta.boundaryField()[patchi][i],
+                rAUf_.boundaryField()[patchi][i],
+               -ofThere[i][d], -ofHere[i][d]
+            });
+        }
+    }
+    return List<link>(std::move(result));
+}
+
+
 Foam::capsule::directFlowSolver::sparseRows
-Foam::capsule::directFlowSolver::gradient(const label axis) const
+Foam::capsule::directFlowSolver::gradient
+(
+    const UList<link>& links,
+    const label axis
+) const
 {
     const direction d = plane_.axis(axis);
     const scalarField& V = mesh_.V();
     std::vector<triplet> entries;
-    entries.reserve(4*mesh_.nInternalFaces());
+    entries.reserve(4*links.size());
 
-    forAll(mesh_.neighbour(), facei)
+    for (const link& l : links)
     {
-        const label P = mesh_.owner()[facei];
-        const label N = mesh_.neighbour()[facei];
-        const scalar S = mesh_.Sf()[facei][d];
-        const scalar w = mesh_.weights()[facei];
+        const scalar S = l.S[d];
+        const scalar w = l.weight;
 
-        entries.push_back(triplet(P, P, S*w/V[P]));
-        entries.push_back(triplet(P, N, S*(1 - w)/V[P]));
-        entries.push_back(triplet(N, P, -S*w/V[N]));
-        entries.push_back(triplet(N, N, -S*(1 - w)/V[N]));
+        entries.push_back(triplet(l.P, l.P, S*w/V[l.P]));
+        entries.push_back(triplet(l.P, l.N, S*(1 - w)/V[l.P]));
+        entries.push_back(triplet(l.N, l.P, -S*w/V[l.N]));
+        entries.push_back(triplet(l.N, l.N, -S*(1 - w)/V[l.N]));
     }
 
     forAll(p_.boundaryField(), patchi)
     {
         const fvPatchScalarField& pp = p_.boundaryField()[patchi];
+        if (pp.coupled())
+        {
+            continue;
+        }
         const scalarField coeffs
         (
             pp.valueInternalCoeffs(mesh_.weights().boundaryField()[patchi])
@@ -80,7 +139,8 @@ Eigen::SparseMatrix<Foam::scalar> Foam::capsule::directFlowSolver::matrix
     std::vector<triplet> entries;
     entries.reserve(50*n);
 
-    const sparseRows grad[2] = {gradient(0), gradient(1)};
+    const List<link> links(this->links(UEqn));
+    const sparseRows grad[2] = {gradient(links, 0), gradient(links, 1)};
 
     // Momentum: UEqn U + grad p, per volume
     for (label axis = 0; axis < 2; ++axis)
@@ -102,19 +162,15 @@ Eigen::SparseMatrix<Foam::scalar> Foam::capsule::directFlowSolver::matrix
                 triplet(3*celli + axis, 3*celli + axis, diag[celli]/V[celli])
             );
         }
-        const scalarField& lower = UEqn.lower();
-        const scalarField& upper = UEqn.upper();
-        forAll(mesh_.neighbour(), facei)
+        for (const link& l : links)
         {
-            const label P = mesh_.owner()[facei];
-            const label N = mesh_.neighbour()[facei];
             entries.push_back
             (
-                triplet(3*P + axis, 3*N + axis, upper[facei]/V[P])
+                triplet(3*l.P + axis, 3*l.N + axis, l.upper/V[l.P])
             );
             entries.push_back
             (
-                triplet(3*N + axis, 3*P + axis, lower[facei]/V[N])
+                triplet(3*l.N + axis, 3*l.P + axis, l.lower/V[l.N])
             );
         }
         for (label celli = 0; celli < n; ++celli)
@@ -154,32 +210,26 @@ Eigen::SparseMatrix<Foam::scalar> Foam::capsule::directFlowSolver::matrix
         }
     };
 
-    forAll(mesh_.neighbour(), facei)
+    for (const link& l : links)
     {
-        const label P = mesh_.owner()[facei];
-        const label N = mesh_.neighbour()[facei];
-        const scalar w = mesh_.weights()[facei];
-        const vector& S = mesh_.Sf()[facei];
-        const scalar rAU = rAUf_[facei];
-        const scalar normal =
-            rAU*mesh_.nonOrthDeltaCoeffs()[facei]*mesh_.magSf()[facei];
+        const scalar normal = l.rAU*l.delta*mag(l.S);
 
-        for (const label row : {P, N})
+        for (const label row : {l.P, l.N})
         {
             if (row == pRefCell_)
             {
                 continue;
             }
-            const scalar sign = (row == P ? 1 : -1);
-            addFlux(row, P, sign*w, S, rAU);
-            addFlux(row, N, sign*(1 - w), S, rAU);
+            const scalar sign = (row == l.P ? 1 : -1);
+            addFlux(row, l.P, sign*l.weight, l.S, l.rAU);
+            addFlux(row, l.N, sign*(1 - l.weight), l.S, l.rAU);
             entries.push_back
             (
-                triplet(3*row + 2, 3*P + 2, sign*normal/V[row])
+                triplet(3*row + 2, 3*l.P + 2, sign*normal/V[row])
             );
             entries.push_back
             (
-                triplet(3*row + 2, 3*N + 2, -sign*normal/V[row])
+                triplet(3*row + 2, 3*l.N + 2, -sign*normal/V[row])
             );
         }
     }
@@ -188,6 +238,10 @@ Eigen::SparseMatrix<Foam::scalar> Foam::capsule::directFlowSolver::matrix
     {
         const fvPatchVectorField& Up = U_.boundaryField()[patchi];
         const fvPatchScalarField& pp = p_.boundaryField()[patchi];
+        if (pp.coupled())
+        {
+            continue;
+        }
         const vectorField coeffs
         (
             Up.valueInternalCoeffs(mesh_.weights().boundaryField()[patchi])

@@ -51,6 +51,24 @@ void Foam::capsule::flowEquations::setReference(const dictionary& dict)
 }
 
 
+void Foam::capsule::flowEquations::checkHeld() const
+{
+    bool held = plane_.periods().size() < 2;
+    for (const fvPatchVectorField& pf : U_.boundaryField())
+    {
+        held = held || pf.fixesValue();
+    }
+    if (!held && word(mesh_.ddtScheme("ddt(U)")) == "steadyState")
+    {
+        FatalIOErrorInFunction(mesh_.schemesDict().subDict("ddtSchemes"))
+            << "Entry ddt(U) is steadyState, Stokes flow, but the mesh is"
+            << " periodic in both directions and no boundary gives the"
+            << " velocity: its level is free; permitted here: Euler, backward"
+            << exit(FatalIOError);
+    }
+}
+
+
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 void Foam::capsule::flowEquations::set(const fvVectorMatrix& UEqn)
@@ -91,6 +109,10 @@ Foam::capsule::nodalScalars Foam::capsule::flowEquations::residual
         }
     }
     momentum -= gradp.primitiveField();
+    if (force_ != vector(Zero))
+    {
+        momentum += force_;
+    }
 
     phi_ =
         fvc::flux(U_)
@@ -264,8 +286,10 @@ Foam::capsule::flowEquations::flowEquations
         mesh_,
         dimensionedScalar(dimVelocity*dimLength/dimPressure, Zero)
     ),
+    force_(Zero),
     pressureScale_(1)
 {
+    checkHeld();
     if (p.needReference())
     {
         setReference(dict);

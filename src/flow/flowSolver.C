@@ -76,6 +76,71 @@ void Foam::capsule::flowSolver::addDirection
 }
 
 
+void Foam::capsule::flowSolver::converge
+(
+    const fvVectorMatrix& UEqn,
+    const sources* extra,
+    const nodalScalars& atRest,
+    const nodalScalars* offset,
+    const scalar reference,
+    const char* what,
+    nodalScalars& x
+)
+{
+    const auto evaluate = [&]()
+    {
+        unpack(x);
+        nodalScalars r = residual(UEqn, extra);
+        if (offset)
+        {
+            r -= *offset;
+        }
+        return r;
+    };
+    nodalScalars r = evaluate();
+    scalar norm = globalNorm(r);
+    const scalar initial = norm;
+
+    const auto advance = [&](const searchDirection& d)
+    {
+        const scalar step = globalDot(r, d.residual);
+        x += step*d.unknowns;
+        r -= step*d.residual;
+    };
+    for (const searchDirection& d : directions_)
+    {
+        advance(d);
+    }
+
+    label iter = 0;
+    scalar last;
+    do
+    {
+        while (globalNorm(r) > 0.9*tolerance_*reference && iter < maxIter_)
+        {
+            ++iter;
+            addDirection(UEqn, extra, r, atRest, reference);
+            advance(directions_.back());
+        }
+
+        // Round-off apart, the residual is that of the directions
+        r = evaluate();
+        last = norm;
+        norm = globalNorm(r);
+    }
+    while
+    (
+        norm > tolerance_*reference && norm < 0.5*last && iter < maxIter_
+    );
+
+    applied(iter);
+
+    Info<< type() << ":  Solving for " << what << ", Initial residual = "
+        << initial/reference << ", Final residual = " << norm/reference
+        << ", No Iterations " << iter << endl;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::flowSolver::flowSolver
@@ -99,7 +164,8 @@ Foam::capsule::flowSolver::flowSolver
     maxDirections_
     (
         input::getBetweenOrDefault<label>(dict, "directions", 60, 1, 10000)
-    )
+    ),
+    answersKnown_(false)
 {
     input::permit
     (
@@ -159,6 +225,7 @@ Foam::autoPtr<Foam::capsule::flowSolver> Foam::capsule::flowSolver::New
 void Foam::capsule::flowSolver::begin(const fvVectorMatrix& UEqn)
 {
     directions_.clear();
+    answersKnown_ = false;
     set(UEqn);
     prepare(UEqn);
 }
@@ -177,47 +244,5 @@ void Foam::capsule::flowSolver::solve
     const nodalScalars atRest = residual(UEqn, extra);
     const scalar reference = globalNorm(atRest) + VSMALL;
 
-    unpack(x);
-    nodalScalars r = residual(UEqn, extra);
-    scalar norm = globalNorm(r);
-    const scalar initial = norm;
-
-    const auto advance = [&](const searchDirection& d)
-    {
-        const scalar step = globalDot(r, d.residual);
-        x += step*d.unknowns;
-        r -= step*d.residual;
-    };
-    for (const searchDirection& d : directions_)
-    {
-        advance(d);
-    }
-
-    label iter = 0;
-    scalar last;
-    do
-    {
-        while (globalNorm(r) > 0.9*tolerance_*reference && iter < maxIter_)
-        {
-            ++iter;
-            addDirection(UEqn, extra, r, atRest, reference);
-            advance(directions_.back());
-        }
-
-        // Round-off apart, the residual is that of the directions
-        unpack(x);
-        r = residual(UEqn, extra);
-        last = norm;
-        norm = globalNorm(r);
-    }
-    while
-    (
-        norm > tolerance_*reference && norm < 0.5*last && iter < maxIter_
-    );
-
-    applied(iter);
-
-    Info<< type() << ":  Solving for U, p, Initial residual = "
-        << initial/reference << ", Final residual = " << norm/reference
-        << ", No Iterations " << iter << endl;
+    converge(UEqn, extra, atRest, nullptr, reference, "U, p", x);
 }

@@ -78,7 +78,15 @@ void Foam::functionObjects::membraneMeasures::writeLine
     const capsule::membraneSystem& system = membranes();
     const capsule::closedCurve curve = m.curve();
     const label n = curve.size();
-    const pointField x(system.plane().toPoints(curve.nodes()));
+    // In a periodic mesh the image whose centroid lies in the mesh
+    const capsule::vector2 centre = curve.centroid();
+    const pointField x
+    (
+        system.plane().toPoints
+        (
+            curve.nodes().rowwise() + (system.plane().wrapped(centre) - centre)
+        )
+    );
     const vectorField U(system.plane().toVectors(m.now().velocity));
     const vectorField F
     (

@@ -158,7 +158,12 @@ void Foam::capsule::cutFaces::add
 
     scalar alpha;
     const vector2 centre = levelSet_.plane()(mesh.faceCentres()[facei]);
-    const scalar atCentre = levelSet_.signedDistance(centre, alpha);
+    scalar atCentre = levelSet_.signedDistance(centre, alpha);
+    if (mag(atCentre) < 1e-10*levelSet_.width())
+    {
+        // The two halves of a coupled face must agree, whatever the round-off
+        atCentre = 0;
+    }
     const scalar side = (sideP == sideN ? sideP : atCentre < 0 ? -1 : 1);
 
     if (sideP != sideN)

@@ -138,7 +138,7 @@ Foam::capsule::oneSidedFit::oneSidedFit
     forAll(cells, i)
     {
         local.row(i).head<2>() =
-            distance.plane()(distance.mesh().C()[cells[i]]);
+            distance.image(distance.mesh().C()[cells[i]]);
         local(i, 2) = -side*distance.distance()(i)/distance.width();
     }
     const nodalMatrix centres = gather(local);

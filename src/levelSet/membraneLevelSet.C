@@ -54,6 +54,7 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     curve_(curve),
     samples_(plane.toPoints(curve.sampled(4*curve.size()))),
     width_(0),
+    centre_(plane(boundBox(samples_, false).midpoint())),
     side_
     (
         IOobject
@@ -99,7 +100,7 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
 
     const auto middle = [&](const label celli)
     {
-        return plane.toPoint(plane(centres[celli]));
+        return plane.toPoint(image(centres[celli]));
     };
 
     forAll(centres, celli)
@@ -164,10 +165,23 @@ Foam::scalar Foam::capsule::membraneLevelSet::signedDistance
     scalar& alpha
 ) const
 {
+    vector2 nearest = x;
+    label sample = -1;
+    scalar bound = sqr(GREAT);
+    for (const vector2& image : plane_.images(x, centre_))
+    {
+        const point c = plane_.toPoint(image);
+        const pointIndexHit hit = tree_->findNearest(c, bound);
+        if (hit.hit())
+        {
+            nearest = image;
+            sample = hit.index();
+            bound = magSqr(hit.hitPoint() - c);
+        }
+    }
+
     scalar distance;
-    const pointIndexHit hit =
-        tree_->findNearest(plane_.toPoint(x), sqr(GREAT));
-    project(x, hit.index(), alpha, distance);
+    project(nearest, sample, alpha, distance);
     return distance;
 }
 

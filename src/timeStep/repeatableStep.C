@@ -40,6 +40,7 @@ void Foam::capsule::repeatableStep::goBack()
     U_.restore();
     p_.restore();
     phi_.restore();
+    driving_.found(force_);
     static_cast<TimeState&>(time_) = start_;
     membranes_.restore();
 }
@@ -75,6 +76,7 @@ Foam::capsule::repeatableStep::repeatableStep
     restartableTime& runTime,
     membraneSystem& membranes,
     const flowSolver& flow,
+    drivingForce& driving,
     volVectorField& U,
     volScalarField& p,
     surfaceScalarField& phi
@@ -84,9 +86,11 @@ Foam::capsule::repeatableStep::repeatableStep
     time_(runTime),
     membranes_(membranes),
     flow_(flow),
+    driving_(driving),
     U_(U),
     p_(p),
     phi_(phi),
+    force_(Zero),
     start_(runTime),
     maxCuts_(0),
     least_(0),
@@ -119,6 +123,7 @@ void Foam::capsule::repeatableStep::start()
         U_.store();
         p_.store();
         phi_.store();
+        force_ = driving_.force();
         start_ = timeAtStart(time_);
 
         // Cut again and again, an adjustable step may become ever smaller

@@ -32,6 +32,7 @@ Description
 #include "extrapolatedFlux.H"
 #include "flowSolver.H"
 #include "membraneSystem.H"
+#include "drivingForce.H"
 #include "repeatableStep.H"
 #include "restartableTime.H"
 #include "functionObject.H"
@@ -116,8 +117,8 @@ int main(int argc, char *argv[])
         while (step.repeat());
 
         // As a restart from here reads it, to the last bit
-        pressure = p/membranes.scale();
-        p = pressure*membranes.scale();
+        pressure = membranes.unscaled(p);
+        p = membranes.scaled(pressure);
 
         if (!dryRun)
         {

@@ -29,13 +29,13 @@ Foam::scalar Foam::capsule::membrane::perimeterInCells
 ) const
 {
     const nodalVectors outline = shape.outline();
-    for (const point& p : plane_.toPoints(outline))
+    for (Eigen::Index i = 0; i < outline.rows(); ++i)
     {
-        if (!mesh.bounds().contains(p))
+        if (!plane_.contains(outline.row(i)))
         {
             FatalIOErrorInFunction(dict)
                 << "Membrane " << name_ << " reaches outside the mesh, to "
-                << p << "; see the entries " << flatOutput(dict.toc())
+                << plane_.toPoint(outline.row(i)) << "; see the entries " << flatOutput(dict.toc())
                 << " of shape: the mesh spans " << mesh.bounds().min() << " to " << mesh.bounds().max()
                 << exit(FatalIOError);
         }

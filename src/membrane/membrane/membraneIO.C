@@ -251,7 +251,12 @@ void Foam::capsule::membrane::write(const Time& runTime) const
 void Foam::capsule::membrane::writeCloud(const fvMesh& mesh) const
 {
     const closedCurve now(curve());
-    const pointField points(plane_.toPoints(now.nodes()));
+    nodalVectors wrapped(now.nodes());
+    for (Eigen::Index i = 0; i < wrapped.rows(); ++i)
+    {
+        wrapped.row(i) = plane_.wrapped(now.nodes().row(i));
+    }
+    const pointField points(plane_.toPoints(wrapped));
     const vectorField velocity(plane_.toVectors(now_.velocity));
     const vectorField force
     (

@@ -1,0 +1,134 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "flowSolver.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::capsule::flowSolver::setAnswers
+(
+    const fvVectorMatrix& UEqn,
+    const sources* extra,
+    const vectorField& along
+)
+{
+    const nodalScalars x = packed(U_, p_);
+    const nodalScalars zero = nodalScalars::Zero(x.size());
+    const auto atRest = [&](const vector& force)
+    {
+        force_ = force;
+        unpack(zero);
+        return residual(UEqn, extra);
+    };
+    const auto norm = [](const nodalScalars& r)
+    {
+        return Foam::sqrt(returnReduce(scalar(r.squaredNorm()), sumOp<scalar>()));
+    };
+
+    const vector force = force_;
+    const nodalScalars idle = atRest(Zero);
+    answers_.setSize(along.size());
+    forAll(along, i)
+    {
+        if (answers_[i].size() != x.size())
+        {
+            answers_[i] = zero;
+        }
+        // A force as large as what else acts, so that nothing is lost in the
+        // differences
+        const scalar unit = norm(atRest(along[i]) - idle);
+        const scalar acting = norm(idle);
+        const scalar size = (acting > VSMALL*unit ? acting/unit : 1);
+
+        nodalScalars answer = size*answers_[i];
+        converge
+        (
+            UEqn, extra, atRest(size*along[i]), &idle, size*unit,
+            "answer to force", answer
+        );
+        answers_[i] = answer/size;
+    }
+    force_ = force;
+    unpack(x);
+    answersKnown_ = true;
+}
+
+
+Foam::vector Foam::capsule::flowSolver::mean(const nodalScalars& x) const
+{
+    const scalarField& V = mesh_.V();
+    vector sum(Zero);
+    forAll(V, celli)
+    {
+        sum += V[celli]*plane_.toVector(x.segment<2>(3*celli));
+    }
+    return returnReduce(sum, sumOp<vector>())/gSum(V);
+}
+
+
+void Foam::capsule::flowSolver::setMean
+(
+    const vectorField& along,
+    const vector& velocity
+)
+{
+    nodalScalars x = packed(U_, p_);
+    const vector missing = velocity - mean(x);
+
+    nodalScalars missed(along.size());
+    nodalMatrix gained(along.size(), along.size());
+    forAll(along, i)
+    {
+        missed(i) = missing & along[i];
+        forAll(along, j)
+        {
+            gained(i, j) = mean(answers_[j]) & along[i];
+        }
+    }
+    const nodalScalars change = gained.partialPivLu().solve(missed);
+
+    forAll(along, i)
+    {
+        force_ += change(i)*along[i];
+        x += change(i)*answers_[i];
+    }
+    unpack(x);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::capsule::flowSolver::solve
+(
+    const fvVectorMatrix& UEqn,
+    const sources* extra,
+    drivingForce& driving
+)
+{
+    force_ = driving.force();
+    const vectorField along(driving.fixed());
+    if (along.empty())
+    {
+        solve(UEqn, extra);
+        return;
+    }
+
+    if (!answersKnown_)
+    {
+        setAnswers(UEqn, extra, along);
+    }
+    setMean(along, driving.velocity());
+    solve(UEqn, extra);
+    setMean(along, driving.velocity());
+
+    // The fluxes of the fields
+    residual(UEqn, extra);
+    driving.found(force_);
+}
