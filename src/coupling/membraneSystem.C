@@ -13,6 +13,7 @@ License
 #include "profiling.H"
 #include "sigFpe.H"
 #include "fvm.H"
+#include "fvc.H"
 #include <algorithm>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -23,14 +24,14 @@ Foam::string Foam::capsule::membraneSystem::obstacle
     const List<nodalVectors>& points
 ) const
 {
-    const string boundary = clearance_.obstacle(points[i]);
+    const string boundary = clearance_->obstacle(points[i]);
     if (!boundary.empty())
     {
         return boundary;
     }
     for (label j = 0; j < i; ++j)
     {
-        if (clearance_.meet(points[i], points[j]))
+        if (clearance_->meet(points[i], points[j]))
         {
             return "membrane " + parts_[j].body().name();
         }
@@ -42,6 +43,10 @@ Foam::string Foam::capsule::membraneSystem::obstacle
 void Foam::capsule::membraneSystem::readMembranes()
 {
     const dictionary& dict = input::subDict(*this, "membranes");
+    if (dict.size())
+    {
+        clearance_.reset(new clearance(mesh_, plane_));
+    }
     List<nodalVectors> points;
     for (const entry& e : dict)
     {
@@ -114,19 +119,20 @@ bool Foam::capsule::membraneSystem::setInside
 
 void Foam::capsule::membraneSystem::setScale()
 {
-    scale_ = dimensionedScalar("one", dimless, 1);
-    if (setInside(scale_, &immersedMembrane::scale))
+    volScalarField& scale = fields_->scale;
+    scale = dimensionedScalar("one", dimless, 1);
+    if (setInside(scale, &immersedMembrane::scale))
     {
-        scale_.correctBoundaryConditions();
+        scale.correctBoundaryConditions();
     }
 }
 
 
 void Foam::capsule::membraneSystem::setViscosity()
 {
-    if (sources_.viscosity.valid())
+    if (fields_->sources.viscosity.valid())
     {
-        volScalarField& mu = *sources_.viscosity;
+        volScalarField& mu = *fields_->sources.viscosity;
         mu = dimensionedScalar("mu", mu.dimensions(), mu_);
         for (const immersedMembrane& m : parts_)
         {
@@ -140,9 +146,9 @@ void Foam::capsule::membraneSystem::setViscosity()
 Foam::tmp<Foam::fvVectorMatrix>
 Foam::capsule::membraneSystem::viscousTerm() const
 {
-    if (sources_.viscosity.valid())
+    if (fields_.valid() && fields_->sources.viscosity.valid())
     {
-        return -fvm::laplacian(*sources_.viscosity, U_);
+        return -fvm::laplacian(*fields_->sources.viscosity, U_);
     }
 
     const dimensionedScalar mu("mu", dimPressure*dimTime, mu_);
@@ -176,21 +182,41 @@ void Foam::capsule::membraneSystem::setSwept()
         return;
     }
 
-    swept_ = dimensionedVector(swept_.dimensions(), Zero);
+    volVectorField& swept = fields_->swept;
+    swept = dimensionedVector(swept.dimensions(), Zero);
     for (const immersedMembrane& m : parts_)
     {
-        m.addSwept(swept_);
+        m.addSwept(swept);
     }
-    swept_.primitiveFieldRef() *= rho_*scale_.primitiveField();
+    swept.primitiveFieldRef() *= rho_*fields_->scale.primitiveField();
 }
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
+Foam::capsule::membraneSystem::fields::fields(const fvMesh& mesh)
+:
+    scale
+    (
+        IOobject("viscosityScale", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar("one", dimless, 1)
+    ),
+    sources(mesh),
+    swept
+    (
+        IOobject("sweptMomentum", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimPressure/dimLength, Zero)
+    )
+{}
+
+
+
 Foam::capsule::membraneSystem::membraneSystem
 (
     volVectorField& U,
-    volScalarField& p,
+    volScalarField& pressure,
     const dimensionedScalar& rho,
     const dimensionedScalar& mu
 )
@@ -213,9 +239,8 @@ Foam::capsule::membraneSystem::membraneSystem
     ),
     mesh_(U.mesh()),
     plane_(mesh_),
-    clearance_(mesh_, plane_),
     U_(U),
-    p_(p),
+    pressure_(pressure),
     rho_(rho.value()),
     mu_(mu.value()),
     method_(couplingMethod::New(input::subDict(*this, "coupling"))),
@@ -244,19 +269,6 @@ Foam::capsule::membraneSystem::membraneSystem
     (
         input::getOrDefault<bool>(subDict("coupling"), "conserveArea", true)
     ),
-    scale_
-    (
-        IOobject("viscosityScale", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar("one", dimless, 1)
-    ),
-    sources_(mesh_),
-    swept_
-    (
-        IOobject("sweptMomentum", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedVector(dimPressure/dimLength, Zero)
-    ),
     iter_(0),
     converged_(true)
 {
@@ -275,12 +287,18 @@ Foam::capsule::membraneSystem::membraneSystem
     }
 
     readMembranes();
+    if (size())
+    {
+        fields_.reset(new fields(mesh_));
+    }
+    bool scaled = false;
     for (immersedMembrane& m : parts_)
     {
         m.start(U_);
+        scaled = scaled || m.scale() != 1;
         if (m.smeared())
         {
-            sources_.viscosity.reset
+            fields_->sources.viscosity.reset
             (
                 new volScalarField
                 (
@@ -291,14 +309,63 @@ Foam::capsule::membraneSystem::membraneSystem
             );
         }
     }
-    setScale();
+    if (size())
+    {
+        setScale();
+    }
+    if (scaled)
+    {
+        scaledPressure_.reset(new volScalarField("pScaled", pressure));
+        *scaledPressure_ *= fields_->scale;
+    }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::tmp<Foam::fvVectorMatrix> Foam::capsule::membraneSystem::inertia
+(
+    tmp<fvVectorMatrix> term,
+    const surfaceScalarField& flux
+)
+{
+    if (size())
+    {
+        flux_.reset(new surfaceScalarField(flux));
+        term.ref() -= fvm::Sp(fvc::div(flux), U_);
+    }
+    if (scaledPressure_.valid())
+    {
+        term.ref() *= fields_->scale.internalField();
+    }
+    return term;
+}
+
+
+Foam::volScalarField& Foam::capsule::membraneSystem::scaledPressure()
+{
+    return scaledPressure_.valid() ? *scaledPressure_ : pressure_;
+}
+
+
+void Foam::capsule::membraneSystem::setPressure()
+{
+    if (scaledPressure_.valid())
+    {
+        pressure_ = *scaledPressure_/fields_->scale;
+    }
+}
+
+
 void Foam::capsule::membraneSystem::predict()
 {
+    iter_ = 0;
+    converged_ = false;
+    if (size() == 0)
+    {
+        return;
+    }
+
     addProfiling(predict, "capsule::membraneSystem::predict");
 
     label size = 0;
@@ -322,17 +389,6 @@ void Foam::capsule::membraneSystem::predict()
     }
 
     method_->start();
-    iter_ = 0;
-    converged_ = false;
-}
-
-
-void Foam::capsule::membraneSystem::setFlux(const surfaceScalarField& flux)
-{
-    if (size())
-    {
-        flux_.reset(new surfaceScalarField(flux));
-    }
 }
 
 
@@ -352,18 +408,24 @@ bool Foam::capsule::membraneSystem::loop()
     }
 
     ++iter_;
-    sources_.clear();
+    flowEquations::sources& sources = fields_->sources;
+    sources.clear();
     for (immersedMembrane& m : parts_)
     {
-        m.addSources(sources_, flux_.get(), scale_);
+        m.addSources(sources, flux_.get(), fields_->scale);
     }
-    sources_.momentum += swept_;
+    sources.momentum += fields_->swept;
     return true;
 }
 
 
 void Foam::capsule::membraneSystem::correct()
 {
+    if (size() == 0)
+    {
+        return;
+    }
+
     addProfiling(correct, "capsule::membraneSystem::correct");
 
     nodalScalars step(unknowns_.size());
@@ -374,18 +436,15 @@ void Foam::capsule::membraneSystem::correct()
     for (immersedMembrane& m : parts_)
     {
         const immersedMembrane::correction found =
-            m.correct(U_, p_, *method_, conserveArea_);
+            m.correct(U_, scaledPressure(), *method_, conserveArea_);
         step.segment(start, found.step.size()) = found.step;
         start += found.step.size();
         stress = max(stress, found.stress);
         displacement = max(displacement, found.displacement);
     }
-    if (size())
-    {
-        Info<< "Membranes: iteration " << iter_ << ", imbalance of stress "
-            << stress << ", displacement " << displacement << " cell widths"
-            << endl;
-    }
+    Info<< "Membranes: iteration " << iter_ << ", imbalance of stress "
+        << stress << ", displacement " << displacement << " cell widths"
+        << endl;
 
     if (!(stress < input::largest && displacement < input::largest))
     {

@@ -28,7 +28,6 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
-#include "extrapolatedFlux.H"
 #include "flowSolver.H"
 #include "membraneSystem.H"
 #include "functionObject.H"
@@ -108,7 +107,7 @@ int main(int argc, char *argv[])
             membranes.correct();
         }
 
-        pressure = p/membranes.scale();
+        membranes.setPressure();
         if (membranes.canGoOn())
         {
             runTime.write();

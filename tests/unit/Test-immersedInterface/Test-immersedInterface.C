@@ -279,7 +279,10 @@ int main(int argc, char *argv[])
     );
     const dimensionedScalar mu("mu", dimPressure*dimTime, 1);
     const fvVectorMatrix UEqn(-fvm::laplacian(mu, U));
-    autoPtr<flowSolver> flow(flowSolver::New(U, p, phi));
+    autoPtr<flowSolver> flow
+    (
+        flowSolver::New(U, p, phi, dimensionedScalar(dimDensity, Zero))
+    );
     flow->begin(UEqn);
 
     // Balance of real stress by the equivalent force, see membraneSystem
