@@ -113,6 +113,19 @@ bool Foam::capsule::clearance::meet
     const nodalVectors& b
 ) const
 {
+    // Boxes apart: most pairs of many membranes
+    const vector2 margin(least*width_, least*width_);
+    const vector2 low = a.colwise().minCoeff() - margin;
+    const vector2 high = a.colwise().maxCoeff() + margin;
+    if
+    (
+        (b.colwise().minCoeff().array() > high.array()).any()
+     || (b.colwise().maxCoeff().array() < low.array()).any()
+    )
+    {
+        return false;
+    }
+
     for (label i = 0; i < a.rows(); ++i)
     {
         const scalar nearest =

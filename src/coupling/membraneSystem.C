@@ -103,13 +103,9 @@ bool Foam::capsule::membraneSystem::setInside
         if (inside != 1)
         {
             changed = true;
-            const volScalarField& side = m.distance().side();
-            forAll(side, celli)
+            for (const label celli : m.distance().inside())
             {
-                if (side[celli] < 0)
-                {
-                    field[celli] = inside;
-                }
+                field[celli] = inside;
             }
         }
     }

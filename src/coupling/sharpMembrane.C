@@ -11,6 +11,7 @@ License
 #include "sharpMembrane.H"
 #include "freeSpaceResponse.H"
 #include "timeScheme.H"
+#include "profiling.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -290,6 +291,8 @@ void Foam::capsule::sharpMembrane::addSources
     const volScalarField& scale
 )
 {
+    addProfiling(jumps, "capsule::sharpMembrane::addSources");
+
     const nodalVectors f = resolvedForce();
     interface_->setJumps
     (

@@ -41,10 +41,18 @@ Foam::scalar Foam::capsule::membrane::perimeterInCells
         }
     }
 
+    scalar area = 0;
+    scalar perimeter = 0;
+    for (label i = 0; i < outline.rows(); ++i)
+    {
+        const vector2 a = outline.row(i);
+        const vector2 b = outline.row((i + 1) % outline.rows());
+        area += 0.5*(a(0)*b(1) - a(1)*b(0));
+        perimeter += (b - a).norm();
+    }
+
     // Four times the area over the perimeter: the diameter of a circle
-    const periodicBasis basis(outline.rows());
-    const closedCurve curve(basis, outline);
-    const scalar across = 4*curve.area()/curve.perimeter()/width;
+    const scalar across = 4*area/perimeter/width;
     if (!(across >= leastAcross))
     {
         FatalIOErrorInFunction(dict)
@@ -54,7 +62,7 @@ Foam::scalar Foam::capsule::membrane::perimeterInCells
             << " of shape, or refine the mesh"
             << exit(FatalIOError);
     }
-    return curve.perimeter()/width;
+    return perimeter/width;
 }
 
 
@@ -80,7 +88,15 @@ Foam::capsule::membrane::membrane
     input::permit
     (
         dict,
-        {"viscosity", "shape", "elasticLaw", "bending", "load", "points"}
+        {
+            "viscosity",
+            "shape",
+            "elasticLaw",
+            "bending",
+            "load",
+            "points",
+            "levelSet"
+        }
     );
 
     const dictionary& shapeDict = input::subDict(dict, "shape");

@@ -385,7 +385,7 @@ int main(int argc, char *argv[])
         dp[celli] -= (in ? level/lambda : level);
     }
 
-    const volScalarField distance(interface.distance().field());
+    const volScalarField distance(interface.distance().whole());
     scalar nearD = 0;
     scalar maxD = 0;
     forAll(distance, celli)
