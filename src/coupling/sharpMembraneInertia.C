@@ -13,6 +13,12 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+bool Foam::capsule::sharpMembrane::keepsInterfaces() const
+{
+    return timeScheme(mesh_, "ddt(U)", 0).c != 0;
+}
+
+
 Foam::scalar Foam::capsule::sharpMembrane::viscousNumber
 (
     const scalar viscosity
