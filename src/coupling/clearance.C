@@ -14,7 +14,8 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-const Foam::scalar Foam::capsule::clearance::least = 0.1;
+const Foam::scalar Foam::capsule::clearance::least = 0.5;
+const Foam::scalar Foam::capsule::clearance::resolved = 2;
 const Foam::scalar Foam::capsule::clearance::leastToImage = 8;
 
 
@@ -40,13 +41,14 @@ static vector2 middle(const nodalVectors& points)
 bool Foam::capsule::clearance::meetHere
 (
     const nodalVectors& a,
-    const nodalVectors& b
+    const nodalVectors& b,
+    const scalar cells
 ) const
 {
     // Boxes apart, as those of most images are
     const vector2 after = a.colwise().minCoeff() - b.colwise().maxCoeff();
     const vector2 before = b.colwise().minCoeff() - a.colwise().maxCoeff();
-    if (max(after.maxCoeff(), before.maxCoeff()) > least*width_)
+    if (max(after.maxCoeff(), before.maxCoeff()) > cells*width_)
     {
         return false;
     }
@@ -54,7 +56,7 @@ bool Foam::capsule::clearance::meetHere
     {
         const scalar nearest =
             (b.rowwise() - a.row(i)).rowwise().squaredNorm().minCoeff();
-        if (nearest < sqr(least*width_))
+        if (nearest < sqr(cells*width_))
         {
             return true;
         }
@@ -98,7 +100,8 @@ Foam::capsule::clearance::clearance
 
 Foam::string Foam::capsule::clearance::obstacle
 (
-    const nodalVectors& curve
+    const nodalVectors& curve,
+    const scalar cells
 ) const
 {
     nodalVectors points(curve);
@@ -124,7 +127,7 @@ Foam::string Foam::capsule::clearance::obstacle
     }
 
     // Boundary faces near the points: depth of the points below the face
-    const vector2 margin(least*width_, least*width_);
+    const vector2 margin(cells*width_, cells*width_);
     const vector2 low = points.colwise().minCoeff() - margin;
     const vector2 high = points.colwise().maxCoeff() + margin;
     scalar nearest = GREAT;
@@ -155,7 +158,7 @@ Foam::string Foam::capsule::clearance::obstacle
     }
 
     const scalar found = returnReduce(nearest, minOp<scalar>());
-    if (found < least*width_)
+    if (found < cells*width_)
     {
         patchi = returnReduce
         (
@@ -171,20 +174,31 @@ Foam::string Foam::capsule::clearance::obstacle
 bool Foam::capsule::clearance::meet
 (
     const nodalVectors& a,
-    const nodalVectors& b
+    const nodalVectors& b,
+    const scalar cells
 ) const
 {
     if (plane_.periods().empty())
     {
-        return meetHere(a, b);
+        return meetHere(a, b, cells);
     }
     const vector2 centre = middle(b);
     for (const vector2& image : plane_.images(centre, middle(a)))
     {
-        if (meetHere(a, b.rowwise() + (image - centre)))
+        if (meetHere(a, b.rowwise() + (image - centre), cells))
         {
             return true;
         }
     }
     return false;
+}
+
+
+Foam::scalar Foam::capsule::clearance::spacing(const nodalVectors& curve) const
+{
+    const label n = curve.rows();
+    nodalVectors sides(n, 2);
+    sides.topRows(n - 1) = curve.bottomRows(n - 1) - curve.topRows(n - 1);
+    sides.row(n - 1) = curve.row(0) - curve.row(n - 1);
+    return sides.rowwise().norm().maxCoeff()/width_;
 }

@@ -31,6 +31,14 @@ namespace capsule
 
 const Foam::scalar Foam::capsule::immersedMembrane::motionWaves_ = 3;
 
+const Foam::Enum<Foam::capsule::immersedMembrane::levelSetWritten>
+Foam::capsule::immersedMembrane::levelSetNames_
+({
+    { levelSetWritten::none, "none" },
+    { levelSetWritten::near, "near" },
+    { levelSetWritten::whole, "whole" },
+});
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -156,13 +164,26 @@ Foam::capsule::immersedMembrane::immersedMembrane
     const scalar viscosity
 )
 :
+    levelSet_(levelSetWritten::near),
     mesh_(mesh),
     plane_(plane),
     rho_(density),
     mu_(viscosity),
     body_(name, dict, plane, mesh),
     ratio_(body_.viscosity()/viscosity)
-{}
+{
+    if (dict.found("levelSet"))
+    {
+        const word name(input::get<word>(dict, "levelSet"));
+        if (!levelSetNames_.found(name))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry levelSet is " << name << "; permitted: "
+                << flatOutput(levelSetNames_.toc()) << exit(FatalIOError);
+        }
+        levelSet_ = levelSetNames_[name];
+    }
+}
 
 
 Foam::autoPtr<Foam::capsule::immersedMembrane>
@@ -268,5 +289,12 @@ void Foam::capsule::immersedMembrane::write() const
 {
     body_.write(mesh_.time());
     body_.writeCloud(mesh_);
-    distance().field()().write();
+    if (levelSet_ == levelSetWritten::near)
+    {
+        distance().near()().write();
+    }
+    else if (levelSet_ == levelSetWritten::whole)
+    {
+        distance().whole()().write();
+    }
 }

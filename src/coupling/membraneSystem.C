@@ -13,6 +13,7 @@ License
 #include "profiling.H"
 #include "sigFpe.H"
 #include "fvm.H"
+#include "fvc.H"
 #include <algorithm>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -20,17 +21,18 @@ License
 Foam::string Foam::capsule::membraneSystem::obstacle
 (
     const label i,
-    const List<nodalVectors>& points
+    const List<nodalVectors>& points,
+    const scalar cells
 ) const
 {
-    const string boundary = clearance_.obstacle(points[i]);
+    const string boundary = clearance_->obstacle(points[i], cells);
     if (!boundary.empty())
     {
         return boundary;
     }
     for (label j = 0; j < i; ++j)
     {
-        if (clearance_.meet(points[i], points[j]))
+        if (clearance_->meet(points[i], points[j], cells))
         {
             return "membrane " + parts_[j].body().name();
         }
@@ -47,7 +49,7 @@ Foam::string Foam::capsule::membraneSystem::predictedObstacle() const
     {
         points[i] =
             parts_[i].predicted(time.deltaTValue(), time.deltaT0Value());
-        const string near = obstacle(i, points);
+        const string near = obstacle(i, points, clearance::least);
         if (!near.empty())
         {
             return
@@ -59,9 +61,41 @@ Foam::string Foam::capsule::membraneSystem::predictedObstacle() const
 }
 
 
+void Foam::capsule::membraneSystem::warnOfResolution() const
+{
+    List<nodalVectors> points(parts_.size());
+    forAll(parts_, i)
+    {
+        const word& name = parts_[i].body().name();
+        points[i] = parts_[i].body().now().x;
+
+        const string near = obstacle(i, points, clearance::resolved);
+        if (!near.empty())
+        {
+            WarningInFunction
+                << "Membrane " << name << " is closer than "
+                << clearance::resolved << " cell widths to " << near.c_str()
+                << ": the film there is not resolved" << endl;
+        }
+        const scalar spacing = clearance_->spacing(points[i]);
+        if (spacing > membrane::widestSpacing)
+        {
+            WarningInFunction
+                << "Points of membrane " << name << " are " << spacing
+                << " cell widths apart, more than " << membrane::widestSpacing
+                << ": it is not resolved there; see its entry points" << endl;
+        }
+    }
+}
+
+
 void Foam::capsule::membraneSystem::readMembranes()
 {
     const dictionary& dict = input::subDict(*this, "membranes");
+    if (dict.size())
+    {
+        clearance_.reset(new clearance(mesh_, plane_));
+    }
     List<nodalVectors> points;
     for (const entry& e : dict)
     {
@@ -88,7 +122,7 @@ void Foam::capsule::membraneSystem::readMembranes()
         );
 
         points.append(parts_[i].body().now().x);
-        const string near = obstacle(i, points);
+        const string near = obstacle(i, points, clearance::least);
         if (!near.empty())
         {
             FatalIOErrorInFunction(e.dict())
@@ -118,13 +152,9 @@ bool Foam::capsule::membraneSystem::setInside
         if (inside != 1)
         {
             changed = true;
-            const volScalarField& side = m.distance().side();
-            forAll(side, celli)
+            for (const label celli : m.distance().inside())
             {
-                if (side[celli] < 0)
-                {
-                    field[celli] = inside;
-                }
+                field[celli] = inside;
             }
         }
     }
@@ -134,10 +164,11 @@ bool Foam::capsule::membraneSystem::setInside
 
 void Foam::capsule::membraneSystem::setScale()
 {
-    scale_ = dimensionedScalar("one", dimless, 1);
-    if (setInside(scale_, &immersedMembrane::scale))
+    volScalarField& scale = fields_->scale;
+    scale = dimensionedScalar("one", dimless, 1);
+    if (setInside(scale, &immersedMembrane::scale))
     {
-        scale_.correctBoundaryConditions();
+        scale.correctBoundaryConditions();
     }
 }
 
@@ -172,9 +203,9 @@ void Foam::capsule::membraneSystem::addDriven
 
 void Foam::capsule::membraneSystem::setViscosity()
 {
-    if (sources_.viscosity.valid())
+    if (fields_->sources.viscosity.valid())
     {
-        volScalarField& mu = *sources_.viscosity;
+        volScalarField& mu = *fields_->sources.viscosity;
         mu = dimensionedScalar("mu", mu.dimensions(), mu_);
         for (const immersedMembrane& m : parts_)
         {
@@ -188,9 +219,9 @@ void Foam::capsule::membraneSystem::setViscosity()
 Foam::tmp<Foam::fvVectorMatrix>
 Foam::capsule::membraneSystem::viscousTerm() const
 {
-    if (sources_.viscosity.valid())
+    if (fields_.valid() && fields_->sources.viscosity.valid())
     {
-        return -fvm::laplacian(*sources_.viscosity, U_);
+        return -fvm::laplacian(*fields_->sources.viscosity, U_);
     }
 
     const dimensionedScalar mu("mu", dimPressure*dimTime, mu_);
@@ -224,21 +255,41 @@ void Foam::capsule::membraneSystem::setSwept()
         return;
     }
 
-    swept_ = dimensionedVector(swept_.dimensions(), Zero);
+    volVectorField& swept = fields_->swept;
+    swept = dimensionedVector(swept.dimensions(), Zero);
     for (const immersedMembrane& m : parts_)
     {
-        m.addSwept(swept_);
+        m.addSwept(swept);
     }
-    swept_.primitiveFieldRef() *= rho_*scale_.primitiveField();
+    swept.primitiveFieldRef() *= rho_*fields_->scale.primitiveField();
 }
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
+Foam::capsule::membraneSystem::fields::fields(const fvMesh& mesh)
+:
+    scale
+    (
+        IOobject("viscosityScale", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar("one", dimless, 1)
+    ),
+    sources(mesh),
+    swept
+    (
+        IOobject("sweptMomentum", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimPressure/dimLength, Zero)
+    )
+{}
+
+
+
 Foam::capsule::membraneSystem::membraneSystem
 (
     volVectorField& U,
-    volScalarField& p,
+    volScalarField& pressure,
     const dimensionedScalar& rho,
     const dimensionedScalar& mu,
     const drivingForce& driving
@@ -262,9 +313,8 @@ Foam::capsule::membraneSystem::membraneSystem
     ),
     mesh_(U.mesh()),
     plane_(mesh_),
-    clearance_(mesh_, plane_),
     U_(U),
-    p_(p),
+    pressure_(pressure),
     rho_(rho.value()),
     mu_(mu.value()),
     driving_(driving),
@@ -294,19 +344,6 @@ Foam::capsule::membraneSystem::membraneSystem
     (
         input::getOrDefault<bool>(subDict("coupling"), "conserveArea", true)
     ),
-    scale_
-    (
-        IOobject("viscosityScale", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar("one", dimless, 1)
-    ),
-    sources_(mesh_),
-    swept_
-    (
-        IOobject("sweptMomentum", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedVector(dimPressure/dimLength, Zero)
-    ),
     iter_(0),
     converged_(true),
     placed_(false)
@@ -326,12 +363,18 @@ Foam::capsule::membraneSystem::membraneSystem
     }
 
     readMembranes();
+    if (size())
+    {
+        fields_.reset(new fields(mesh_));
+    }
+    bool scaled = false;
     for (immersedMembrane& m : parts_)
     {
         m.start(U_);
+        scaled = scaled || m.scale() != 1;
         if (m.smeared())
         {
-            sources_.viscosity.reset
+            fields_->sources.viscosity.reset
             (
                 new volScalarField
                 (
@@ -342,41 +385,73 @@ Foam::capsule::membraneSystem::membraneSystem
             );
         }
     }
-    setScale();
+    if (size())
+    {
+        setScale();
+    }
+    if (scaled)
+    {
+        scaledPressure_.reset(new volScalarField("pScaled", pressure));
+        *scaledPressure_ *= fields_->scale;
+        addDriven(*scaledPressure_, false);
+    }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::tmp<Foam::volScalarField> Foam::capsule::membraneSystem::unscaled
+Foam::tmp<Foam::fvVectorMatrix> Foam::capsule::membraneSystem::inertia
 (
-    const volScalarField& p
-) const
+    tmp<fvVectorMatrix> term,
+    const surfaceScalarField& flux
+)
 {
-    tmp<volScalarField> result(p/scale_);
-    addDriven(result.ref(), true);
-    return result;
+    if (size())
+    {
+        flux_.reset(new surfaceScalarField(flux));
+        term.ref() -= fvm::Sp(fvc::div(flux), U_);
+    }
+    if (scaledPressure_.valid())
+    {
+        term.ref() *= fields_->scale.internalField();
+    }
+    return term;
 }
 
 
-Foam::tmp<Foam::volScalarField> Foam::capsule::membraneSystem::scaled
-(
-    const volScalarField& p
-) const
+Foam::volScalarField& Foam::capsule::membraneSystem::scaledPressure()
 {
-    tmp<volScalarField> result(p*scale_);
-    addDriven(result.ref(), false);
-    return result;
+    return scaledPressure_.valid() ? *scaledPressure_ : pressure_;
+}
+
+
+void Foam::capsule::membraneSystem::setPressure()
+{
+    if (scaledPressure_.valid())
+    {
+        volScalarField& p = *scaledPressure_;
+        pressure_ = p/fields_->scale;
+        addDriven(pressure_, true);
+
+        // As a restart from here reads it, to the last bit
+        p = pressure_*fields_->scale;
+        addDriven(p, false);
+    }
 }
 
 
 void Foam::capsule::membraneSystem::predict()
 {
+    iter_ = 0;
+    placed_ = false;
+    converged_ = (size() == 0);
+    if (converged_)
+    {
+        return;
+    }
+
     addProfiling(predict, "capsule::membraneSystem::predict");
 
-    iter_ = 0;
-    converged_ = (size() == 0);
-    placed_ = false;
     failure_ = predictedObstacle();
     if (!failure_.empty())
     {
@@ -408,15 +483,6 @@ void Foam::capsule::membraneSystem::predict()
 }
 
 
-void Foam::capsule::membraneSystem::setFlux(const surfaceScalarField& flux)
-{
-    if (size())
-    {
-        flux_.reset(new surfaceScalarField(flux));
-    }
-}
-
-
 bool Foam::capsule::membraneSystem::loop()
 {
     if (size() == 0)
@@ -442,18 +508,24 @@ bool Foam::capsule::membraneSystem::loop()
     }
 
     ++iter_;
-    sources_.clear();
+    flowEquations::sources& sources = fields_->sources;
+    sources.clear();
     for (immersedMembrane& m : parts_)
     {
-        m.addSources(sources_, flux_.get(), scale_);
+        m.addSources(sources, flux_.get(), fields_->scale);
     }
-    sources_.momentum += swept_;
+    sources.momentum += fields_->swept;
     return true;
 }
 
 
 void Foam::capsule::membraneSystem::correct()
 {
+    if (size() == 0)
+    {
+        return;
+    }
+
     addProfiling(correct, "capsule::membraneSystem::correct");
 
     const vector2 driving = plane_(driving_.force());
@@ -465,18 +537,15 @@ void Foam::capsule::membraneSystem::correct()
     for (immersedMembrane& m : parts_)
     {
         const immersedMembrane::correction found =
-            m.correct(U_, p_, driving, *method_, conserveArea_);
+            m.correct(U_, scaledPressure(), driving, *method_, conserveArea_);
         step.segment(start, found.step.size()) = found.step;
         start += found.step.size();
         stress = max(stress, found.stress);
         displacement = max(displacement, found.displacement);
     }
-    if (size())
-    {
-        Info<< "Membranes: iteration " << iter_ << ", imbalance of stress "
-            << stress << ", displacement " << displacement << " cell widths"
-            << endl;
-    }
+    Info<< "Membranes: iteration " << iter_ << ", imbalance of stress "
+        << stress << ", displacement " << displacement << " cell widths"
+        << endl;
 
     if (!(stress < input::largest && displacement < input::largest))
     {
@@ -517,6 +586,7 @@ void Foam::capsule::membraneSystem::restore()
 
 void Foam::capsule::membraneSystem::write() const
 {
+    warnOfResolution();
     for (const immersedMembrane& m : parts_)
     {
         m.write();

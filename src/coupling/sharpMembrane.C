@@ -11,6 +11,7 @@ License
 #include "sharpMembrane.H"
 #include "freeSpaceResponse.H"
 #include "timeScheme.H"
+#include "profiling.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -245,15 +246,15 @@ void Foam::capsule::sharpMembrane::start(const volVectorField& U)
     setJumps(*interface_, now);
     fit_.reset(new oneSidedFit(*interface_, fitSide()));
 
-    if (body_.nOld() > 0)
-    {
-        old_[0].reset(placed(body_.old(0).interface));
-        setJumps(*old_[0], body_.old(0));
-    }
-    else
+    if (body_.nOld() == 0)
     {
         // No velocity yet but that of the initial field
         now.velocity = (*fit_)(U, nullptr).value;
+    }
+    else if (keepsInterfaces())
+    {
+        old_[0].reset(placed(body_.old(0).interface));
+        setJumps(*old_[0], body_.old(0));
     }
 }
 
@@ -264,8 +265,11 @@ void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
     const nodalVectors nodes = filter(predictedCurve, shapeWaves_)*predictedCurve.nodes();
     advance(nodes);
 
-    old_[1].reset(old_[0].release());
-    old_[0].reset(interface_.release());
+    if (keepsInterfaces())
+    {
+        old_[1].reset(old_[0].release());
+        old_[0].reset(interface_.release());
+    }
     interface_.reset(placed(nodes));
     fit_.reset(new oneSidedFit(*interface_, fitSide()));
 
@@ -327,6 +331,8 @@ void Foam::capsule::sharpMembrane::addSources
     const volScalarField& scale
 )
 {
+    addProfiling(jumps, "capsule::sharpMembrane::addSources");
+
     const nodalVectors f = resolvedForce();
     interface_->setJumps
     (

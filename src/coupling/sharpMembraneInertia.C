@@ -13,6 +13,12 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+bool Foam::capsule::sharpMembrane::keepsInterfaces() const
+{
+    return timeScheme(mesh_, "ddt(U)", 0).c != 0;
+}
+
+
 Foam::scalar Foam::capsule::sharpMembrane::viscousNumber
 (
     const scalar viscosity
@@ -148,7 +154,7 @@ void Foam::capsule::sharpMembrane::addSwept(volVectorField& ddtU) const
 {
     const timeScheme scheme(mesh_, "ddt(U)", body_.nOld());
     const scalar weights[2] = {scheme.c0, -scheme.c00};
-    const volScalarField& side = interface_->distance().side();
+    const membraneLevelSet& present = interface_->distance();
 
     for (label level = 0; level < 2; ++level)
     {
@@ -158,13 +164,20 @@ void Foam::capsule::sharpMembrane::addSwept(volVectorField& ddtU) const
         }
 
         // The old value as the new side of the cell saw it
-        const volScalarField& oldSide = old_[level]->distance().side();
+        const membraneLevelSet& old = old_[level]->distance();
         const volVectorField& jump = old_[level]->jumpU();
-        forAll(side, celli)
+        for (const label celli : present.inside())
         {
-            if (side[celli] != oldSide[celli])
+            if (old.side()[celli] > 0)
             {
-                ddtU[celli] += weights[level]*side[celli]*jump[celli];
+                ddtU[celli] -= weights[level]*jump[celli];
+            }
+        }
+        for (const label celli : old.inside())
+        {
+            if (present.side()[celli] > 0)
+            {
+                ddtU[celli] += weights[level]*jump[celli];
             }
         }
     }

@@ -356,10 +356,11 @@ Foam::capsule::directFlowSolver::directFlowSolver
     const dictionary& dict,
     volVectorField& U,
     volScalarField& p,
-    surfaceScalarField& phi
+    surfaceScalarField& phi,
+    const dimensionedScalar& rho
 )
 :
-    flowSolver(dict, U, p, phi),
+    conjugateResiduals(dict, U, p, phi, rho),
     refactor_
     (
         input::getBetweenOrDefault<label>(dict, "refactor", 6, 1, 10000)

@@ -194,10 +194,11 @@ Foam::capsule::fractionalStep::fractionalStep
     const dictionary& dict,
     volVectorField& U,
     volScalarField& p,
-    surfaceScalarField& phi
+    surfaceScalarField& phi,
+    const dimensionedScalar& rho
 )
 :
-    flowSolver(dict, U, p, phi),
+    conjugateResiduals(dict, U, p, phi, rho),
     dU_
     (
         IOobject("dU", mesh_.time().timeName(), mesh_),

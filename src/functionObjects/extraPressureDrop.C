@@ -120,7 +120,10 @@ void Foam::functionObjects::extraPressureDrop::solveEmpty()
     Info<< type() << ' ' << name() << ": empty channel" << endl;
     autoPtr<capsule::flowSolver> flow
     (
-        capsule::flowSolver::New(U, p, phi)
+        capsule::flowSolver::New
+        (
+            U, p, phi, dimensionedScalar(dimDensity, Zero)
+        )
     );
     const fvVectorMatrix UEqn(-fvm::laplacian(mu, U));
     flow->begin(UEqn);

@@ -55,7 +55,8 @@ static void takeNeighbours(GeometricField<Type, fvPatchField, volMesh>& field)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::capsule::immersedInterface::volume(const bitSet& cells) const
+template<class Cells>
+Foam::scalar Foam::capsule::immersedInterface::volume(const Cells& cells) const
 {
     scalar sum = 0;
     for (const label celli : cells)
@@ -103,7 +104,6 @@ Foam::capsule::immersedInterface::immersedInterface
     faces_(levelSet_),
     cut_(mesh.nCells()),
     cutVolume_(0),
-    inside_(mesh.nCells()),
     insideVolume_(0),
     centres_(faces_.centres()),
     beyond_(faces_.pointsBeyond()),
@@ -118,16 +118,8 @@ Foam::capsule::immersedInterface::immersedInterface
             cut_.set(v.cell);
         }
     }
-    const volScalarField& side = levelSet_.side();
-    forAll(side, celli)
-    {
-        if (side[celli] < 0)
-        {
-            inside_.set(celli);
-        }
-    }
     cutVolume_ = volume(cut_);
-    insideVolume_ = volume(inside_);
+    insideVolume_ = volume(levelSet_.inside());
 }
 
 
@@ -325,7 +317,7 @@ void Foam::capsule::immersedInterface::addDivergence
     reduce(total, sumOp<scalar>());
 
     // The net source, of second order, is taken back inside
-    for (const label celli : inside_)
+    for (const label celli : levelSet_.inside())
     {
         divergence[celli] -= total/insideVolume_;
     }

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneLevelSet.H"
+#include "cellSearch.H"
 #include "mathematicalConstants.H"
 #include "surfaceFields.H"
 
@@ -28,12 +29,26 @@ void Foam::capsule::membraneLevelSet::project
     alpha = curve_.nearest(x, first);
 
     // x' turned points out: its side is the sign of the distance
-    const vector2 d = x - curve_.point(alpha);
+    vector2 foot, x1, x2;
+    curve_.expand(alpha, foot, x1, x2);
+    const vector2 d = x - foot;
     distance = d.norm();
-    if (d.dot(turned(curve_.point(alpha, 1))) < 0)
+    if (d.dot(turned(x1)) < 0)
     {
         distance = -distance;
     }
+}
+
+
+Foam::tmp<Foam::volScalarField>
+Foam::capsule::membraneLevelSet::newField() const
+{
+    return volScalarField::New
+    (
+        "levelSet." + name_,
+        mesh_,
+        dimensionedScalar(dimLength, Zero)
+    );
 }
 
 
@@ -54,6 +69,7 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     curve_(curve),
     samples_(plane.toPoints(curve.sampled(4*curve.size()))),
     width_(0),
+    band_(0),
     centre_(plane(boundBox(samples_, false).midpoint())),
     side_
     (
@@ -87,54 +103,52 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
         )
     );
 
-    const vectorField& centres = mesh.cellCentres();
+    const cellSearch& search = cellSearch::New(mesh);
+    const pointField& centres = search.centres();
     const scalarField& volumes = mesh.cellVolumes();
 
     // Cell width: the largest of the cells that the curve runs through
     const scalar sampleSpacing = 2*curve.perimeter()/samples_.size();
-    const scalar crossing =
-        sqr(Foam::sqrt(gMax(volumes)/plane.thickness()) + sampleSpacing);
-    boundBox box(samples_, false);
-    box.min() -= vector::uniform(Foam::sqrt(crossing));
-    box.max() += vector::uniform(Foam::sqrt(crossing));
-
-    const auto middle = [&](const label celli)
+    const auto around = [&](const scalar margin)
     {
-        return plane.toPoint(image(centres[celli]));
+        boundBox box(samples_, false);
+        box.min() -= vector::uniform(margin);
+        box.max() += vector::uniform(margin);
+
+        DynamicList<label> cells;
+        for (const vector2& i : plane.images(centre_, plane.wrapped(centre_)))
+        {
+            const vector shift(plane.toVector(i - centre_));
+            cells.append
+            (
+                search.inBox(boundBox(box.min() + shift, box.max() + shift))
+            );
+        }
+        Foam::inplaceUniqueSort(cells);
+        return cells;
     };
 
-    forAll(centres, celli)
+    for (const label celli : around(search.largestWidth() + sampleSpacing))
     {
-        const point c = middle(celli);
-        if (box.contains(c))
+        const scalar h = Foam::sqrt(volumes[celli]/plane.thickness());
+        const point c = plane.toPoint(image(centres[celli]));
+        if (tree_->findNearest(c, sqr(h + sampleSpacing)).hit())
         {
-            const scalar h = Foam::sqrt(volumes[celli]/plane.thickness());
-            if (tree_->findNearest(c, sqr(h + sampleSpacing)).hit())
-            {
-                width_ = max(width_, h);
-            }
+            width_ = max(width_, h);
         }
     }
     reduce(width_, maxOp<scalar>());
 
-    const scalar band = bandWidth*width_;
-    const scalar reach = sqr(band + sampleSpacing);
-    box = boundBox(samples_, false);
-    box.min() -= vector::uniform(Foam::sqrt(reach));
-    box.max() += vector::uniform(Foam::sqrt(reach));
+    band_ = bandWidth*width_;
+    const scalar reach = band_ + sampleSpacing;
 
     DynamicList<scalar> alphas;
     DynamicList<scalar> distances;
 
-    forAll(centres, celli)
+    for (const label celli : around(reach))
     {
-        const point c = middle(celli);
-        if (!box.contains(c))
-        {
-            continue;
-        }
-
-        const pointIndexHit hit = tree_->findNearest(c, reach);
+        const point c = plane.toPoint(image(centres[celli]));
+        const pointIndexHit hit = tree_->findNearest(c, sqr(reach));
         if (hit.hit())
         {
             scalar alpha, distance;
@@ -147,6 +161,10 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
         else if (inPolygon(plane(c), corners))
         {
             side_[celli] = -1;
+        }
+        if (side_[celli] < 0)
+        {
+            inside_.append(celli);
         }
     }
     side_.correctBoundaryConditions();
@@ -186,17 +204,39 @@ Foam::scalar Foam::capsule::membraneLevelSet::signedDistance
 }
 
 
-Foam::tmp<Foam::volScalarField> Foam::capsule::membraneLevelSet::field() const
+Foam::tmp<Foam::volScalarField> Foam::capsule::membraneLevelSet::near() const
 {
-    tmp<volScalarField> tfield
-    (
-        volScalarField::New
-        (
-            "levelSet." + name_,
-            mesh_,
-            dimensionedScalar(dimLength, Zero)
-        )
-    );
+    tmp<volScalarField> tfield(newField());
+    volScalarField& field = tfield.ref();
+
+    field.primitiveFieldRef() = band_*side_.primitiveField();
+    forAll(cells_, i)
+    {
+        field[cells_[i]] = max(-band_, min(band_, distance_(i)));
+    }
+    forAll(field.boundaryField(), patchi)
+    {
+        fvPatchScalarField& pf = field.boundaryFieldRef()[patchi];
+        const vectorField& faces = mesh_.C().boundaryField()[patchi];
+        pf = pf.patchInternalField();
+        forAll(pf, i)
+        {
+            if (mag(pf[i]) < band_)
+            {
+                scalar alpha;
+                const scalar d = signedDistance(plane_(faces[i]), alpha);
+                pf[i] = max(-band_, min(band_, d));
+            }
+        }
+    }
+
+    return tfield;
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::capsule::membraneLevelSet::whole() const
+{
+    tmp<volScalarField> tfield(newField());
     volScalarField& field = tfield.ref();
 
     forAll(field, celli)

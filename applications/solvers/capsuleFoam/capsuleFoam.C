@@ -29,7 +29,6 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
-#include "extrapolatedFlux.H"
 #include "flowSolver.H"
 #include "membraneSystem.H"
 #include "drivingForce.H"
@@ -116,9 +115,7 @@ int main(int argc, char *argv[])
         }
         while (step.repeat());
 
-        // As a restart from here reads it, to the last bit
-        pressure = membranes.unscaled(p);
-        p = membranes.scaled(pressure);
+        membranes.setPressure();
 
         if (!dryRun)
         {

@@ -132,6 +132,43 @@ Foam::capsule::vector2 Foam::capsule::closedCurve::extents() const
 }
 
 
+void Foam::capsule::closedCurve::expand
+(
+    const scalar alpha,
+    vector2& x,
+    vector2& x1,
+    vector2& x2
+) const
+{
+    // As periodicBasis::functions, the three series in one
+    const scalar c1 = std::cos(alpha);
+    const scalar s1 = std::sin(alpha);
+    scalar c = 1;
+    scalar s = 0;
+    x = coeffs_.row(0);
+    x1.setZero();
+    x2.setZero();
+    for (label i = 1; i < size(); i += 2)
+    {
+        const scalar k = (i + 1)/2;
+        const scalar next = c*c1 - s*s1;
+        s = s*c1 + c*s1;
+        c = next;
+
+        vector2 wave = c*coeffs_.row(i);
+        vector2 slope = -s*coeffs_.row(i);
+        if (i + 1 < size())
+        {
+            wave += s*coeffs_.row(i + 1);
+            slope += c*coeffs_.row(i + 1);
+        }
+        x += wave;
+        x1 += k*slope;
+        x2 -= k*k*wave;
+    }
+}
+
+
 Foam::scalar Foam::capsule::closedCurve::nearest
 (
     const vector2& x,
@@ -142,9 +179,9 @@ Foam::scalar Foam::capsule::closedCurve::nearest
 
     for (label iter = 0; iter < 20; ++iter)
     {
-        const vector2 d = point(alpha) - x;
-        const vector2 x1 = point(alpha, 1);
-        const vector2 x2 = point(alpha, 2);
+        vector2 x0, x1, x2;
+        expand(alpha, x0, x1, x2);
+        const vector2 d = x0 - x;
 
         // Newton on (x(alpha) - x).x' = 0; where the distance is not convex,
         // its Gauss-Newton part alone

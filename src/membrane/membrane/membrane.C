@@ -15,6 +15,8 @@ License
 
 const Foam::scalar Foam::capsule::membrane::pointsPerCell = 1.4;
 
+const Foam::scalar Foam::capsule::membrane::widestSpacing = 4;
+
 const Foam::scalar Foam::capsule::membrane::leastAcross = 2;
 
 
@@ -41,10 +43,18 @@ Foam::scalar Foam::capsule::membrane::perimeterInCells
         }
     }
 
+    scalar area = 0;
+    scalar perimeter = 0;
+    for (label i = 0; i < outline.rows(); ++i)
+    {
+        const vector2 a = outline.row(i);
+        const vector2 b = outline.row((i + 1) % outline.rows());
+        area += 0.5*(a(0)*b(1) - a(1)*b(0));
+        perimeter += (b - a).norm();
+    }
+
     // Four times the area over the perimeter: the diameter of a circle
-    const periodicBasis basis(outline.rows());
-    const closedCurve curve(basis, outline);
-    const scalar across = 4*curve.area()/curve.perimeter()/width;
+    const scalar across = 4*area/perimeter/width;
     if (!(across >= leastAcross))
     {
         FatalIOErrorInFunction(dict)
@@ -54,7 +64,7 @@ Foam::scalar Foam::capsule::membrane::perimeterInCells
             << " of shape, or refine the mesh"
             << exit(FatalIOError);
     }
-    return curve.perimeter()/width;
+    return perimeter/width;
 }
 
 
@@ -80,7 +90,15 @@ Foam::capsule::membrane::membrane
     input::permit
     (
         dict,
-        {"viscosity", "shape", "elasticLaw", "bending", "load", "points"}
+        {
+            "viscosity",
+            "shape",
+            "elasticLaw",
+            "bending",
+            "load",
+            "points",
+            "levelSet"
+        }
     );
 
     const dictionary& shapeDict = input::subDict(dict, "shape");
@@ -97,7 +115,7 @@ Foam::capsule::membrane::membrane
 
     // Points further apart than four cells do not use what the mesh resolves;
     // points closer than a quarter of a cell only cost
-    const label least = max(label(12), label(cells/4));
+    const label least = max(label(12), label(cells/widestSpacing));
     const label most = max(label(48), label(4*cells) + 1);
     if (n < least || n > most)
     {

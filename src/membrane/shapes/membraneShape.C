@@ -108,7 +108,7 @@ Foam::capsule::nodalVectors Foam::capsule::membraneShape::nodes
 {
     // A fine trigonometric curve in chi, whose arc length is then inverted:
     // the series of the metric is integrated term by term
-    const periodicBasis fine(513);
+    static const periodicBasis fine(513);
     nodalVectors x(fine.size(), 2);
     for (label i = 0; i < fine.size(); ++i)
     {

@@ -58,7 +58,7 @@ VARIANTS = {
 
 # Mutations that leave the case a valid one: variant, entry and mutation as regular expressions
 VALID = [
-    (r'base|circle|ellipse|points|fractionalStep', r'cell\.points|angle|coupling\.(\w+Tolerance|maxIter|conserveArea)|flow\.(tolerance|maxIter|directions|refactor)', 'removed'),
+    (r'base|circle|ellipse|points|fractionalStep', r'cell\.(points|levelSet)|angle|coupling\.(\w+Tolerance|maxIter|conserveArea)|flow\.(tolerance|maxIter|directions|refactor)', 'removed'),
     ('fixedPoint', 'relaxation', 'removed'),
     ('load', r'cell\.load', 'removed'),
     ('.*', r'ddt\((U|membranes)\)', 'removed'),

@@ -279,7 +279,10 @@ int main(int argc, char *argv[])
     );
     const dimensionedScalar mu("mu", dimPressure*dimTime, 1);
     const fvVectorMatrix UEqn(-fvm::laplacian(mu, U));
-    autoPtr<flowSolver> flow(flowSolver::New(U, p, phi));
+    autoPtr<flowSolver> flow
+    (
+        flowSolver::New(U, p, phi, dimensionedScalar(dimDensity, Zero))
+    );
     flow->begin(UEqn);
 
     // Balance of real stress by the equivalent force, see membraneSystem
@@ -382,7 +385,7 @@ int main(int argc, char *argv[])
         dp[celli] -= (in ? level/lambda : level);
     }
 
-    const volScalarField distance(interface.distance().field());
+    const volScalarField distance(interface.distance().whole());
     scalar nearD = 0;
     scalar maxD = 0;
     forAll(distance, celli)

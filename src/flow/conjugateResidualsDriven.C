@@ -8,11 +8,11 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "flowSolver.H"
+#include "conjugateResiduals.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::capsule::flowSolver::setAnswers
+void Foam::capsule::conjugateResiduals::setAnswers
 (
     const fvVectorMatrix& UEqn,
     const sources* extra,
@@ -61,7 +61,7 @@ void Foam::capsule::flowSolver::setAnswers
 }
 
 
-Foam::vector Foam::capsule::flowSolver::mean(const nodalScalars& x) const
+Foam::vector Foam::capsule::conjugateResiduals::mean(const nodalScalars& x) const
 {
     const scalarField& V = mesh_.V();
     vector sum(Zero);
@@ -73,7 +73,7 @@ Foam::vector Foam::capsule::flowSolver::mean(const nodalScalars& x) const
 }
 
 
-void Foam::capsule::flowSolver::setMean
+void Foam::capsule::conjugateResiduals::setMean
 (
     const vectorField& along,
     const vector& velocity
@@ -105,7 +105,7 @@ void Foam::capsule::flowSolver::setMean
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::capsule::flowSolver::solve
+void Foam::capsule::conjugateResiduals::solve
 (
     const fvVectorMatrix& UEqn,
     const sources* extra,

@@ -1,0 +1,212 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "conjugateResiduals.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+    //- Scalar product and length over all processors
+    static scalar globalDot(const nodalScalars& a, const nodalScalars& b)
+    {
+        return returnReduce(scalar(a.dot(b)), sumOp<scalar>());
+    }
+
+    static scalar globalNorm(const nodalScalars& a)
+    {
+        return Foam::sqrt(globalDot(a, a));
+    }
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::capsule::conjugateResiduals::addDirection
+(
+    const fvVectorMatrix& UEqn,
+    const sources* extra,
+    const nodalScalars& r,
+    const nodalScalars& atRest,
+    const scalar size
+)
+{
+    vectorField momentum(mesh_.nCells());
+    scalarField continuity(mesh_.nCells());
+    vectorField dU(mesh_.nCells(), Zero);
+    scalarField dp(mesh_.nCells(), Zero);
+    unscale(r*(size/globalNorm(r)), momentum, continuity);
+    apply(momentum, continuity, dU, dp);
+
+    // The matrix times the unknowns, from the affine residual: their size is
+    // that of the flow, so that little is lost in the difference
+    searchDirection d;
+    d.unknowns = packed(dU, dp);
+    unpack(d.unknowns);
+    d.residual = atRest - residual(UEqn, extra);
+
+    for (const searchDirection& other : directions_)
+    {
+        const scalar share = globalDot(d.residual, other.residual);
+        d.residual -= share*other.residual;
+        d.unknowns -= share*other.unknowns;
+    }
+    const scalar length = globalNorm(d.residual) + VSMALL;
+    d.residual /= length;
+    d.unknowns /= length;
+
+    if (label(directions_.size()) == maxDirections_)
+    {
+        directions_.pop_front();
+    }
+    directions_.push_back(std::move(d));
+}
+
+
+void Foam::capsule::conjugateResiduals::converge
+(
+    const fvVectorMatrix& UEqn,
+    const sources* extra,
+    const nodalScalars& atRest,
+    const nodalScalars* offset,
+    const scalar reference,
+    const char* what,
+    nodalScalars& x
+)
+{
+    const auto evaluate = [&]()
+    {
+        unpack(x);
+        nodalScalars r = residual(UEqn, extra);
+        if (offset)
+        {
+            r -= *offset;
+        }
+        return r;
+    };
+    nodalScalars r = evaluate();
+    scalar norm = globalNorm(r);
+    const scalar initial = norm;
+
+    const auto advance = [&](const searchDirection& d)
+    {
+        const scalar step = globalDot(r, d.residual);
+        x += step*d.unknowns;
+        r -= step*d.residual;
+    };
+    for (const searchDirection& d : directions_)
+    {
+        advance(d);
+    }
+
+    label iter = 0;
+    scalar last;
+    do
+    {
+        while (globalNorm(r) > 0.9*tolerance_*reference && iter < maxIter_)
+        {
+            ++iter;
+            addDirection(UEqn, extra, r, atRest, reference);
+            advance(directions_.back());
+        }
+
+        // Round-off apart, the residual is that of the directions
+        r = evaluate();
+        last = norm;
+        norm = globalNorm(r);
+    }
+    while
+    (
+        norm > tolerance_*reference && norm < 0.5*last && iter < maxIter_
+    );
+
+    applied(iter);
+
+    Info<< type() << ":  Solving for " << what << ", Initial residual = "
+        << initial/reference << ", Final residual = " << norm/reference
+        << ", No Iterations " << iter << endl;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::conjugateResiduals::conjugateResiduals
+(
+    const dictionary& dict,
+    volVectorField& U,
+    volScalarField& p,
+    surfaceScalarField& phi,
+    const dimensionedScalar& rho,
+    const wordList& own
+)
+:
+    flowSolver(dict, U, p, phi, rho, own),
+    tolerance_
+    (
+        input::getBetweenOrDefault<scalar>(dict, "tolerance", 1e-8, 1e-15, 0.1)
+    ),
+    maxIter_
+    (
+        input::getBetweenOrDefault<label>(dict, "maxIter", 100, 1, 10000)
+    ),
+    maxDirections_
+    (
+        input::getBetweenOrDefault<label>(dict, "directions", 60, 1, 10000)
+    ),
+    answersKnown_(false)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::surfaceScalarField>
+Foam::capsule::conjugateResiduals::convectingFlux() const
+{
+    const surfaceScalarField& old = phi_.oldTime();
+
+    if (old.nOldTimes() < 1 || phi_.time().timeIndex() < 2)
+    {
+        old.oldTime();
+        return tmp<surfaceScalarField>(new surfaceScalarField(old));
+    }
+
+    const scalar ratio =
+        phi_.time().deltaTValue()/phi_.time().deltaT0Value();
+    return (1 + ratio)*old - ratio*old.oldTime();
+}
+
+
+void Foam::capsule::conjugateResiduals::begin(const fvVectorMatrix& UEqn)
+{
+    directions_.clear();
+    answersKnown_ = false;
+    set(UEqn);
+    prepare(UEqn);
+}
+
+
+void Foam::capsule::conjugateResiduals::solve
+(
+    const fvVectorMatrix& UEqn,
+    const sources* extra
+)
+{
+    nodalScalars x = packed(U_, p_);
+
+    // Reference: what the fluid at rest leaves of the equations
+    unpack(nodalScalars::Zero(x.size()));
+    const nodalScalars atRest = residual(UEqn, extra);
+    const scalar reference = globalNorm(atRest) + VSMALL;
+
+    converge(UEqn, extra, atRest, nullptr, reference, "U, p", x);
+}
