@@ -29,7 +29,8 @@ static bool written
     const IOstream::streamFormat format
 )
 {
-    OFstream os(path, format);
+    OFstream os(path);
+    os.format(format);
     os.precision(17);
     const bool good =
         os.good() && object.writeHeader(os, object.type())
