@@ -121,8 +121,8 @@ Foam::string Foam::capsule::clearance::obstacle
         if (gap < leastToImage*largest_)
         {
             return
-                "its own image, a period away: at least "
-              + Foam::name(leastToImage) + " cell widths must lie between";
+                "its periodic image (there "
+              + Foam::name(leastToImage) + " cell widths)";
         }
     }
 

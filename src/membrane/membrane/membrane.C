@@ -37,7 +37,8 @@ Foam::scalar Foam::capsule::membrane::perimeterInCells
         {
             FatalIOErrorInFunction(dict)
                 << "Membrane " << name_ << " reaches outside the mesh, to "
-                << plane_.toPoint(outline.row(i)) << "; see the entries " << flatOutput(dict.toc())
+                << plane_.toPoint(outline.row(i)) << "; see the entries "
+                << flatOutput(dict.toc())
                 << " of shape: the mesh spans " << mesh.bounds().min() << " to " << mesh.bounds().max()
                 << exit(FatalIOError);
         }
