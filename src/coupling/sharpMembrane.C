@@ -91,6 +91,7 @@ void Foam::capsule::sharpMembrane::setJumps
             curve,
             resolved(curve, passed, s.force),
             s.inertia,
+            nodalScalars::Zero(body_.size()),
             mu_,
             smoothness()
         )
@@ -293,7 +294,15 @@ void Foam::capsule::sharpMembrane::addSources
     const nodalVectors f = resolvedForce();
     interface_->setJumps
     (
-        jumpConditions(curve(), f, body_.now().inertia, mu_, smoothness())
+        jumpConditions
+        (
+            curve(),
+            f,
+            body_.now().inertia,
+            flux ? pressureLaplacian() : nodalScalars(nodalScalars::Zero(body_.size())),
+            mu_,
+            smoothness()
+        )
     );
     if (flux)
     {
