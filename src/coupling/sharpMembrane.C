@@ -92,6 +92,7 @@ void Foam::capsule::sharpMembrane::setJumps
             curve,
             resolved(curve, passed, s.force),
             s.inertia,
+            nodalScalars::Zero(body_.size()),
             mu_,
             s.smoothness
         )
@@ -338,7 +339,12 @@ void Foam::capsule::sharpMembrane::addSources
     (
         jumpConditions
         (
-            curve(), f, body_.now().inertia, mu_, body_.now().smoothness
+            curve(),
+            f,
+            body_.now().inertia,
+            flux ? pressureLaplacian() : nodalScalars(nodalScalars::Zero(body_.size())),
+            mu_,
+            body_.now().smoothness
         )
     );
     if (flux)

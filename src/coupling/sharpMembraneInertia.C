@@ -95,6 +95,34 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::inertia() const
 }
 
 
+Foam::capsule::nodalScalars
+Foam::capsule::sharpMembrane::pressureLaplacian() const
+{
+    if (fluid_.value.rows() == 0)
+    {
+        return nodalScalars::Zero(body_.size());
+    }
+    const auto times = [](const nodalScalars& a, const nodalScalars& b)
+    {
+        return nodalScalars(a.cwiseProduct(b));
+    };
+    const nodalMatrix& x = fluid_.gradient[0];
+    const nodalMatrix& y = fluid_.gradient[1];
+
+    // The gradient jumps by n b t, its product with itself by 2 b U_s.n
+    const nodalScalars b = -dot(resolvedForce(), curve().tangent())/mu_;
+    const nodalVectors along = curve().ds(body_.now().velocity);
+    const nodalScalars jump = 2*times(b, dot(along, curve().normal()));
+    const nodalScalars fitted =
+        times(x.col(0), x.col(0)) + times(y.col(1), y.col(1))
+      + 2*times(x.col(1), y.col(0));
+
+    const nodalScalars inside =
+        fitSide() > 0 ? nodalScalars(fitted - jump) : fitted;
+    return -rho_*((1 - scale_)*inside + jump);
+}
+
+
 Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::step
 (
     const nodalScalars& df

@@ -61,6 +61,7 @@ Foam::capsule::jumpConditions::jumpConditions
     const closedCurve& curve,
     const nodalVectors& f,
     const nodalVectors& m,
+    const nodalScalars& c,
     const scalar mu,
     const scalar smoothness
 )
@@ -81,7 +82,7 @@ Foam::capsule::jumpConditions::jumpConditions
     const nodalScalars p0 = dot(f, n);
     const nodalScalars p0s = curve.ds(p0);
     const nodalScalars p1 = -mu*b1 - dot(m, n);
-    const nodalScalars p2 = -curve.ds(p0s) - times(kappa, p1);
+    const nodalScalars p2 = c - curve.ds(p0s) - times(kappa, p1);
 
     terms_.middleCols<2>(U1) = scaled(b, t);
     terms_.middleCols<2>(U2) =

@@ -319,7 +319,11 @@ int main(int argc, char *argv[])
         (
             jumpConditions
             (
-                curve, resolved, nodalVectors::Zero(basis.size(), 2), 1
+                curve,
+                resolved,
+                nodalVectors::Zero(basis.size(), 2),
+                nodalScalars::Zero(basis.size()),
+                1
             )
         );
         const vector sum =
