@@ -88,6 +88,11 @@ int main(int argc, char *argv[])
     #include "CourantNo.H"
     #include "setInitialDeltaT.H"
 
+    capsule::repeatableStep step
+    (
+        runTime, membranes, *flow, *driving, U, p, phi
+    );
+
     Info<< "\nStarting time loop\n" << endl;
 
     while (runTime.run())
