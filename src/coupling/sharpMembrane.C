@@ -295,8 +295,17 @@ void Foam::capsule::sharpMembrane::restore()
 {
     immersedMembrane::restore();
 
-    interface_.reset(old_[0].release());
-    old_[0].reset(old_[1].release());
+    if (old_[0].valid())
+    {
+        interface_.reset(old_[0].release());
+        old_[0].reset(old_[1].release());
+    }
+    else
+    {
+        // Not kept in Stokes flow
+        interface_.reset(placed(body_.now().interface));
+        setJumps(*interface_, body_.now());
+    }
     fit_.reset(new oneSidedFit(*interface_, fitSide()));
 }
 
