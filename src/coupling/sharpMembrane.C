@@ -229,7 +229,8 @@ Foam::capsule::sharpMembrane::sharpMembrane
 :
     immersedMembrane(name, dict, plane, mesh, density, viscosity),
     scale_(1/ratio_),
-    viscousScale_(1)
+    viscousScale_(1),
+    U_(nullptr)
 {}
 
 
@@ -237,6 +238,7 @@ Foam::capsule::sharpMembrane::sharpMembrane
 
 void Foam::capsule::sharpMembrane::start(const volVectorField& U)
 {
+    U_ = &U;
     membrane::state& now = body_.now();
     interface_.reset(placed(now.interface));
     setScale();
@@ -273,6 +275,12 @@ void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
     }
     interface_.reset(placed(nodes));
     fit_.reset(new oneSidedFit(*interface_, fitSide()));
+    if (old_[0].valid())
+    {
+        // As a restart has them, without the Laplacian of the pressure
+        setJumps(*old_[0], body_.old(0));
+    }
+    fluid_ = oneSidedFit::fitted();
 
     setScale();
     body_.now().smoothness = smoothness();
@@ -344,18 +352,33 @@ void Foam::capsule::sharpMembrane::addSources
     addProfiling(jumps, "capsule::sharpMembrane::addSources");
 
     const nodalVectors f = resolvedForce();
-    interface_->setJumps
-    (
-        jumpConditions
+    const auto setJumps = [&](const nodalScalars& pressureLaplacian)
+    {
+        interface_->setJumps
         (
-            curve(),
-            f,
-            body_.now().inertia,
-            flux ? pressureLaplacian() : nodalScalars(nodalScalars::Zero(body_.size())),
-            mu_,
-            body_.now().smoothness
-        )
-    );
+            jumpConditions
+            (
+                curve(),
+                f,
+                body_.now().inertia,
+                pressureLaplacian,
+                mu_,
+                body_.now().smoothness
+            )
+        );
+    };
+    if (!flux || fluid_.value.rows() == 0)
+    {
+        setJumps(nodalScalars::Zero(body_.size()));
+    }
+    if (flux)
+    {
+        if (fluid_.value.rows() == 0)
+        {
+            fluid_ = (*fit_)(*U_, nullptr);
+        }
+        setJumps(pressureLaplacian());
+    }
     if (flux)
     {
         interface_->addConvection(*flux, rho_, scale, sources.momentum);

@@ -98,10 +98,6 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::inertia() const
 Foam::capsule::nodalScalars
 Foam::capsule::sharpMembrane::pressureLaplacian() const
 {
-    if (fluid_.value.rows() == 0)
-    {
-        return nodalScalars::Zero(body_.size());
-    }
     const auto times = [](const nodalScalars& a, const nodalScalars& b)
     {
         return nodalScalars(a.cwiseProduct(b));
