@@ -134,7 +134,9 @@ void Foam::capsule::conjugateResiduals::converge
 
     Info<< type() << ":  Solving for " << what << ", Initial residual = "
         << initial/reference << ", Final residual = " << norm/reference
-        << ", No Iterations " << iter << endl;
+        << ", No Iterations " << iter
+        << (norm > 10*tolerance_*reference ? ", above the tolerance" : "")
+        << endl;
 }
 
 

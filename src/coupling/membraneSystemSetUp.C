@@ -1,0 +1,266 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "membraneSystem.H"
+#include "timeScheme.H"
+#include "sigFpe.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::string Foam::capsule::membraneSystem::obstacle
+(
+    const label i,
+    const List<nodalVectors>& points,
+    const scalar cells
+) const
+{
+    const string boundary = clearance_->obstacle(points[i], cells);
+    if (!boundary.empty())
+    {
+        return boundary;
+    }
+    for (label j = 0; j < i; ++j)
+    {
+        if (clearance_->meet(points[i], points[j], cells))
+        {
+            return "membrane " + parts_[j].body().name();
+        }
+    }
+    return string::null;
+}
+
+
+Foam::string Foam::capsule::membraneSystem::predictedObstacle() const
+{
+    const Time& time = mesh_.time();
+    List<nodalVectors> points(parts_.size());
+    forAll(parts_, i)
+    {
+        points[i] =
+            parts_[i].predicted(time.deltaTValue(), time.deltaT0Value());
+        const string near = obstacle(i, points, clearance::least);
+        if (!near.empty())
+        {
+            return
+                "membrane " + parts_[i].body().name() + " comes closer than "
+              + Foam::name(clearance::least) + " cell widths to " + near;
+        }
+    }
+    return string::null;
+}
+
+
+void Foam::capsule::membraneSystem::warnOfResolution() const
+{
+    List<nodalVectors> points(parts_.size());
+    forAll(parts_, i)
+    {
+        const word& name = parts_[i].body().name();
+        points[i] = parts_[i].body().now().x;
+
+        const string near = obstacle(i, points, clearance::resolved);
+        if (!near.empty())
+        {
+            WarningInFunction
+                << "Membrane " << name << " is closer than "
+                << clearance::resolved << " cell widths to " << near.c_str()
+                << ": the film there is not resolved" << endl;
+        }
+        const scalar spacing = clearance_->spacing(points[i]);
+        if (spacing > membrane::widestSpacing)
+        {
+            WarningInFunction
+                << "Points of membrane " << name << " are " << spacing
+                << " cell widths apart, more than " << membrane::widestSpacing
+                << ": it is not resolved there; see its entry points" << endl;
+        }
+    }
+}
+
+
+void Foam::capsule::membraneSystem::readMembranes()
+{
+    const dictionary& dict = input::subDict(*this, "membranes");
+    if (dict.size())
+    {
+        clearance_.reset(new clearance(mesh_, plane_));
+    }
+    List<nodalVectors> points;
+    for (const entry& e : dict)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry " << e.keyword() << " is not a dictionary; membranes"
+                << " holds one dictionary for each membrane"
+                << exit(FatalIOError);
+        }
+        const label i = parts_.size();
+        parts_.append
+        (
+            immersedMembrane::New
+            (
+                subDict("coupling"),
+                e.keyword(),
+                e.dict(),
+                plane_,
+                mesh_,
+                rho_,
+                mu_
+            )
+        );
+
+        points.append(parts_[i].body().now().x);
+        const string near = obstacle(i, points, clearance::least);
+        if (!near.empty())
+        {
+            FatalIOErrorInFunction(e.dict())
+                << "Membrane " << e.keyword() << " touches or crosses "
+                << near.c_str() << nl
+                << "    Membranes must lie inside the mesh, at least "
+                << clearance::least << " cell widths from its boundaries and"
+                << " from each other; see the entries "
+                << flatOutput(e.dict().subDict("shape").toc()) << " of shape"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::membraneSystem::fields::fields(const fvMesh& mesh)
+:
+    scale
+    (
+        IOobject("viscosityScale", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar("one", dimless, 1)
+    ),
+    sources(mesh),
+    swept
+    (
+        IOobject("sweptMomentum", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimPressure/dimLength, Zero)
+    )
+{}
+
+
+Foam::capsule::membraneSystem::membraneSystem
+(
+    volVectorField& U,
+    volScalarField& pressure,
+    const dimensionedScalar& rho,
+    const dimensionedScalar& mu,
+    const drivingForce& driving
+)
+:
+    IOdictionary
+    (
+        // Until the file is read: a number beyond the range of a scalar is an
+        // error of the file, not a floating-point exception
+        (
+            sigFpe::ignore(),
+            IOobject
+            (
+                "membraneProperties",
+                U.time().constant(),
+                U.mesh(),
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE
+            )
+        )
+    ),
+    mesh_(U.mesh()),
+    plane_(mesh_),
+    U_(U),
+    pressure_(pressure),
+    rho_(rho.value()),
+    mu_(mu.value()),
+    driving_(driving),
+    method_(couplingMethod::New(input::subDict(*this, "coupling"))),
+    stressTolerance_
+    (
+        input::getBetweenOrDefault<scalar>
+        (
+            subDict("coupling"), "stressTolerance", 1e-3, 1e-15, 1
+        )
+    ),
+    displacementTolerance_
+    (
+        input::getBetweenOrDefault<scalar>
+        (
+            subDict("coupling"), "displacementTolerance", 1e-4, 1e-15, 1
+        )
+    ),
+    maxIter_
+    (
+        input::getBetweenOrDefault<label>
+        (
+            subDict("coupling"), "maxIter", 30, 1, 10000
+        )
+    ),
+    conserveArea_
+    (
+        input::getOrDefault<bool>(subDict("coupling"), "conserveArea", true)
+    ),
+    iter_(0),
+    converged_(true),
+    placed_(false)
+{
+    // Wrong time schemes stop here, before the first step
+    input::warnOfOthers
+    (
+        mesh_.schemesDict().subDict("ddtSchemes"),
+        {"default", "ddt(U)", "ddt(membranes)"}
+    );
+    timeScheme(mesh_, "ddt(U)", 0);
+    if (timeScheme(mesh_, "ddt(membranes)", 0).c == 0)
+    {
+        FatalIOErrorInFunction(mesh_.schemesDict().subDict("ddtSchemes"))
+            << "Entry ddt(membranes) is steadyState; permitted: Euler,"
+            << " backward" << exit(FatalIOError);
+    }
+
+    readMembranes();
+    if (size())
+    {
+        fields_.reset(new fields(mesh_));
+    }
+    bool scaled = false;
+    for (immersedMembrane& m : parts_)
+    {
+        m.start(U_);
+        scaled = scaled || m.scale() != 1;
+        if (m.smeared())
+        {
+            fields_->sources.viscosity.reset
+            (
+                new volScalarField
+                (
+                    IOobject("viscosity", mesh_.time().timeName(), mesh_),
+                    mesh_,
+                    dimensionedScalar(dimPressure*dimTime, Zero)
+                )
+            );
+        }
+    }
+    if (size())
+    {
+        setScale();
+    }
+    if (scaled)
+    {
+        scaledPressure_.reset(new volScalarField("pScaled", pressure));
+        *scaledPressure_ *= fields_->scale;
+        addDriven(*scaledPressure_, false);
+    }
+}
