@@ -285,6 +285,16 @@ Foam::capsule::immersedMembrane::correct
 }
 
 
+Foam::scalar Foam::capsule::immersedMembrane::offset() const
+{
+    const membrane::state& now = body_.now();
+
+    return
+        (now.x - now.interface).rowwise().norm().maxCoeff()
+       /distance().width();
+}
+
+
 void Foam::capsule::immersedMembrane::write() const
 {
     body_.write(mesh_.time());

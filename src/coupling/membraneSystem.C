@@ -15,6 +15,11 @@ License
 #include "fvc.H"
 #include <algorithm>
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::scalar Foam::capsule::membraneSystem::farthest_ = 1;
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Field>
@@ -278,6 +283,7 @@ void Foam::capsule::membraneSystem::correct()
     nodalScalars step(unknowns_.size());
     scalar stress = 0;
     scalar displacement = 0;
+    scalar offset = 0;
     label start = 0;
 
     for (immersedMembrane& m : parts_)
@@ -288,6 +294,7 @@ void Foam::capsule::membraneSystem::correct()
         start += found.step.size();
         stress = max(stress, found.stress);
         displacement = max(displacement, found.displacement);
+        offset = max(offset, m.offset());
     }
     Info<< "Membranes: iteration " << iter_ << ", imbalance of stress "
         << stress << ", displacement " << displacement << " cell widths"
@@ -301,6 +308,15 @@ void Foam::capsule::membraneSystem::correct()
 
     converged_ =
         stress < stressTolerance_ && displacement < displacementTolerance_;
+
+    if (converged_ && offset > farthest_)
+    {
+        converged_ = false;
+        failure_ =
+            "a membrane ends " + Foam::name(offset) + " cell widths from where"
+            " it was predicted";
+        return;
+    }
 
     if (!converged_ && iter_ < maxIter_)
     {

@@ -237,7 +237,7 @@ void Foam::capsule::restartableTime::seal
          && object.instance() == timeName()
         )
         {
-            files.append(object.name());
+            files.append(object.local()/object.name());
         }
     }
     sort(files);

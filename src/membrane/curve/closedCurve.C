@@ -92,6 +92,11 @@ Foam::scalar Foam::capsule::closedCurve::taylorDeformation() const
     const Eigen::Matrix<scalar, 3, 1> m = secondMoments();
     const scalar mean = 0.5*(m(0) + m(2));
     const scalar spread = std::hypot(0.5*(m(0) - m(2)), m(1));
+    if (mean <= spread)
+    {
+        // Crossed by itself, or a line
+        return 1;
+    }
     const scalar ratio = std::sqrt((mean + spread)/(mean - spread));
     return (ratio - 1)/(ratio + 1);
 }

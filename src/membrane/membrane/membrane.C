@@ -55,7 +55,7 @@ Foam::scalar Foam::capsule::membrane::perimeterInCells
     }
 
     // Four times the area over the perimeter: the diameter of a circle
-    const scalar across = 4*area/perimeter/width;
+    const scalar across = 4*area/max(perimeter, SMALL*width)/width;
     if (!(across >= leastAcross))
     {
         FatalIOErrorInFunction(dict)
