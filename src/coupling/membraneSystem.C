@@ -17,7 +17,7 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-const Foam::scalar Foam::capsule::membraneSystem::farthest_ = 1;
+const Foam::scalar Foam::capsule::membraneSystem::farthest_ = 2;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //

@@ -12,6 +12,7 @@ License
 #include "membraneSystem.H"
 #include "input.H"
 #include "flowSolver.H"
+#include "extrapolatedOutletFvPatchVectorField.H"
 #include "fvm.H"
 #include "fixedValueFvPatchFields.H"
 #include "zeroGradientFvPatchFields.H"
@@ -100,7 +101,12 @@ void Foam::functionObjects::extraPressureDrop::solveEmpty()
     U.primitiveFieldRef() = Zero;
     p.primitiveFieldRef() = Zero;
     const fvPatch& outlet = mesh_.boundary()[outlet_];
-    const bool developed = !p.boundaryField()[outlet_].fixesValue();
+    const fvPatchVectorField& outflow = U.boundaryField()[outlet_];
+    const bool follows =
+        isA<extrapolatedOutletFvPatchVectorField>(outflow)
+     || !outflow.fixesValue();
+    const bool developed =
+        follows && !p.boundaryField()[outlet_].fixesValue();
     if (developed)
     {
         U.boundaryFieldRef().set
