@@ -72,14 +72,11 @@ void Foam::capsule::membraneSystem::addDriven
             continue;
         }
         const membraneLevelSet& distance = m.distance();
-        forAll(pressure, celli)
+        for (const label celli : distance.inside())
         {
-            if (distance.side()[celli] < 0)
-            {
-                pressure[celli] +=
-                    (1 - a)
-                   *G.dot(distance.image(mesh_.C()[celli]) - distance.centre());
-            }
+            pressure[celli] +=
+                (1 - a)
+               *G.dot(distance.image(mesh_.C()[celli]) - distance.centre());
         }
     }
 }

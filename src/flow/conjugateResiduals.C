@@ -10,27 +10,23 @@ License
 
 #include "conjugateResiduals.H"
 
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace capsule
-{
-    //- Scalar product and length over all processors
-    static scalar globalDot(const nodalScalars& a, const nodalScalars& b)
-    {
-        return returnReduce(scalar(a.dot(b)), sumOp<scalar>());
-    }
-
-    static scalar globalNorm(const nodalScalars& a)
-    {
-        return Foam::sqrt(globalDot(a, a));
-    }
-}
-}
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::capsule::conjugateResiduals::globalDot
+(
+    const nodalScalars& a,
+    const nodalScalars& b
+)
+{
+    return returnReduce(scalar(a.dot(b)), sumOp<scalar>());
+}
+
+
+Foam::scalar Foam::capsule::conjugateResiduals::globalNorm(const nodalScalars& a)
+{
+    return Foam::sqrt(globalDot(a, a));
+}
+
 
 void Foam::capsule::conjugateResiduals::addDirection
 (

@@ -27,11 +27,6 @@ void Foam::capsule::conjugateResiduals::setAnswers
         unpack(zero);
         return residual(UEqn, extra);
     };
-    const auto norm = [](const nodalScalars& r)
-    {
-        return Foam::sqrt(returnReduce(scalar(r.squaredNorm()), sumOp<scalar>()));
-    };
-
     const vector force = force_;
     const nodalScalars idle = atRest(Zero);
     answers_.setSize(along.size());
@@ -43,8 +38,8 @@ void Foam::capsule::conjugateResiduals::setAnswers
         }
         // A force as large as what else acts, so that nothing is lost in the
         // differences
-        const scalar unit = norm(atRest(along[i]) - idle);
-        const scalar acting = norm(idle);
+        const scalar unit = globalNorm(atRest(along[i]) - idle);
+        const scalar acting = globalNorm(idle);
         const scalar size = (acting > VSMALL*unit ? acting/unit : 1);
 
         nodalScalars answer = size*answers_[i];
