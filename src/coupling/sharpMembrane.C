@@ -93,8 +93,7 @@ void Foam::capsule::sharpMembrane::setJumps
             resolved(curve, passed, s.force),
             s.inertia,
             nodalScalars::Zero(body_.size()),
-            mu_,
-            s.smoothness
+            mu_
         )
     );
 }
@@ -242,9 +241,11 @@ void Foam::capsule::sharpMembrane::start(const volVectorField& U)
     membrane::state& now = body_.now();
     interface_.reset(placed(now.interface));
     setScale();
-    if (body_.nOld() == 0)
+    if (body_.nOld() == 0 && inertial())
     {
-        now.smoothness = smoothness();
+        // No boundary layers yet
+        now.inertia =
+            scaled(-viscousForce(now), interface_->distance().curve().tangent());
     }
     setJumps(*interface_, now);
     fit_.reset(new oneSidedFit(*interface_, fitSide()));
@@ -283,7 +284,7 @@ void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
     fluid_ = oneSidedFit::fitted();
 
     setScale();
-    body_.now().smoothness = smoothness();
+    oldViscousForce_ = viscousForce(body_.old(0));
     resolving_ = filter(curve(), forceWaves_);
     setResponse
     (
@@ -362,8 +363,7 @@ void Foam::capsule::sharpMembrane::addSources
                 f,
                 body_.now().inertia,
                 pressureLaplacian,
-                mu_,
-                body_.now().smoothness
+                mu_
             )
         );
     };

@@ -38,9 +38,23 @@ Foam::scalar Foam::capsule::sharpMembrane::lowerViscousNumber() const
 }
 
 
-Foam::scalar Foam::capsule::sharpMembrane::smoothness() const
+Foam::scalar Foam::capsule::sharpMembrane::relaxation() const
 {
-    return ratio_ == 1 ? 1 : 1/(1 + sqr(0.5/lowerViscousNumber()));
+    return 1/(1 + 0.1/lowerViscousNumber());
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::viscousForce
+(
+    const membrane::state& s
+) const
+{
+    const closedCurve curve(body_.basis(), s.interface);
+    const nodalVectors f =
+        resolved(curve, filter(curve, forceWaves_), s.force);
+
+    return
+        curve.ds(dot(f, curve.normal())) + dot(s.inertia, curve.tangent());
 }
 
 
@@ -85,9 +99,16 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::inertia() const
     const nodalScalars normal =
         (1 - viscousScale_)*curve().ds(vorticity)
       + (1 - scale_)*dot(force, curve().normal());
-    const nodalScalars tangential =
+    nodalScalars tangential =
         (scale_ - 1/ratio_)*curve().ds(pressure)
       + (1 - 1/ratio_)*dot(force, curve().tangent());
+    if (inertial())
+    {
+        const nodalScalars along =
+            curve().ds(dot(resolvedForce(), curve().normal()));
+        const scalar a = relaxation();
+        tangential = a*tangential + (1 - a)*(oldViscousForce_ - along);
+    }
 
     return
         scaled(resolving_*normal, curve().normal())
@@ -132,11 +153,19 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::step
     // What a velocity feeds back on itself through m, for a first iterate
     const scalar feedback = 0.15/lowerViscousNumber();
 
+    // The viscous force is relaxed, so m.t makes up for a change of d(f.n)/ds
+    const nodalVectors f = resolved(curve(), resolving_, unstacked(df));
+    const nodalScalars along =
+        (1 - relaxation())*(resolving_*curve().ds(dot(f, curve().normal())));
+
     nodalScalars result(2*df.size());
     result <<
         df,
-        distance().width()/(1 + feedback)
-       *stacked(inertia() - body_.now().inertia);
+        distance().width()*stacked
+        (
+            (inertia() - body_.now().inertia)/(1 + feedback)
+          - scaled(along, curve().tangent())
+        );
     return result;
 }
 

@@ -62,8 +62,7 @@ Foam::capsule::jumpConditions::jumpConditions
     const nodalVectors& f,
     const nodalVectors& m,
     const nodalScalars& c,
-    const scalar mu,
-    const scalar smoothness
+    const scalar mu
 )
 :
     terms_(curve.size(), 12)
@@ -86,7 +85,7 @@ Foam::capsule::jumpConditions::jumpConditions
 
     terms_.middleCols<2>(U1) = scaled(b, t);
     terms_.middleCols<2>(U2) =
-        scaled(-b1, n) + scaled(smoothness*(p0s + dot(m, t))/mu - times(kappa, b), t);
+        scaled(-b1, n) + scaled((p0s + dot(m, t))/mu - times(kappa, b), t);
     terms_.col(P0) = p0;
     terms_.col(P1) = p1;
     terms_.col(P2) = p2;

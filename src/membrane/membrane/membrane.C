@@ -145,7 +145,6 @@ Foam::capsule::membrane::membrane
     now_.inertia.setZero(n, 2);
     now_.inner.setZero(n, 2);
     now_.velocity.setZero(n, 2);
-    now_.smoothness = 1;
 
     if (!readState(mesh.time()))
     {

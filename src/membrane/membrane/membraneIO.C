@@ -139,8 +139,6 @@ public:
                 const UList<vector>& list = field;
                 list.writeEntry(entry.name, os);
             }
-            digest.add(s.smoothness);
-            os.writeEntry("smoothness", s.smoothness);
             os.endBlock();
         }
         os.writeEntry("digest", digest.str());
@@ -214,8 +212,6 @@ bool Foam::capsule::membrane::readState(const Time& runTime)
             digest.add(field);
             s.*entry.field = plane_.toNodes(field);
         }
-        s.smoothness = input::get<scalar>(level, "smoothness");
-        digest.add(s.smoothness);
         return s;
     };
 

@@ -51,6 +51,37 @@ Foam::scalar Foam::functionObjects::analyticalErrors::interfaceError
 }
 
 
+Foam::boolList Foam::functionObjects::analyticalErrors::inside
+(
+    const scalar t
+) const
+{
+    const capsule::meshPlane plane(mesh_);
+    const auto* membranes =
+        mesh_.findObject<capsule::membraneSystem>("membraneProperties");
+
+    boolList result(mesh_.nCells(), false);
+    if (!membranes || membranes->size() == 0)
+    {
+        forAll(result, celli)
+        {
+            result[celli] = exact_->inside(plane(mesh_.C()[celli]), t);
+        }
+    }
+    for (label i = 0; membranes && i < membranes->size(); ++i)
+    {
+        const capsule::membrane& m = (*membranes)[i];
+        const capsule::closedCurve curve(m.basis(), m.now().interface);
+        const capsule::membraneLevelSet distance
+        (
+            m.name(), mesh_, plane, curve, 1
+        );
+        UIndirectList<bool>(result, distance.inside()) = true;
+    }
+    return result;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::functionObjects::analyticalErrors::analyticalErrors
@@ -92,12 +123,13 @@ bool Foam::functionObjects::analyticalErrors::write()
     scalarField dU(U.size());
     scalarField dp(p.size());
     scalarField outside(p.size());
+    const boolList inside(this->inside(t));
     forAll(dU, celli)
     {
         const capsule::vector2 x = plane(mesh_.C()[celli]);
         dU[celli] = (plane(U[celli]) - exact_->velocity(x, t)).norm();
-        dp[celli] = p[celli] - exact_->pressure(x, t);
-        outside[celli] = exact_->inside(x, t) ? 0 : V[celli];
+        dp[celli] = p[celli] - exact_->pressure(x, t, inside[celli]);
+        outside[celli] = inside[celli] ? 0 : V[celli];
     }
     dp -= gSum(outside*dp)/gSum(outside);
 

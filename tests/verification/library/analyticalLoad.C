@@ -46,8 +46,9 @@ Foam::capsule::nodalVectors Foam::capsule::analyticalLoad::force
     nodalVectors result(curve.size(), 2);
     for (label i = 0; i < curve.size(); ++i)
     {
+        const vector2 f = exact_->force(curve.nodes().row(i), time_.value());
         result.row(i) =
-            exact_->force(curve.nodes().row(i), time_.value());
+            f(0)*curve.normal().row(i) + f(1)*curve.tangent().row(i);
     }
     return result;
 }

@@ -101,6 +101,16 @@ Foam::capsule::analyticalSolution::New(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
+Foam::scalar Foam::capsule::analyticalSolution::radius
+(
+    const scalar,
+    const scalar
+) const
+{
+    return radius_;
+}
+
+
 Foam::capsule::vector2 Foam::capsule::analyticalSolution::polarForce
 (
     const scalar,
@@ -113,6 +123,17 @@ Foam::capsule::vector2 Foam::capsule::analyticalSolution::polarForce
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::capsule::analyticalSolution::inside
+(
+    const vector2& x,
+    const scalar t
+) const
+{
+    const vector2 d = relative(x, t);
+    return d.norm() < radius(std::atan2(d(1), d(0)), t);
+}
+
+
 Foam::capsule::vector2 Foam::capsule::analyticalSolution::velocity
 (
     const vector2& x,
@@ -121,7 +142,7 @@ Foam::capsule::vector2 Foam::capsule::analyticalSolution::velocity
 {
     const vector2 d = relative(x, t);
     const scalar theta = std::atan2(d(1), d(0));
-    const polarFlow u = flow(d.norm(), theta, t);
+    const polarFlow u = flow(d.norm(), theta, t, inside(x, t));
     const scalar c = std::cos(theta);
     const scalar s = std::sin(theta);
     return drift_ + vector2(u.r*c - u.theta*s, u.r*s + u.theta*c);
@@ -131,11 +152,12 @@ Foam::capsule::vector2 Foam::capsule::analyticalSolution::velocity
 Foam::scalar Foam::capsule::analyticalSolution::pressure
 (
     const vector2& x,
-    const scalar t
+    const scalar t,
+    const bool in
 ) const
 {
     const vector2 d = relative(x, t);
-    return flow(d.norm(), std::atan2(d(1), d(0)), t).p;
+    return flow(d.norm(), std::atan2(d(1), d(0)), t, in).p;
 }
 
 
@@ -146,8 +168,5 @@ Foam::capsule::vector2 Foam::capsule::analyticalSolution::force
 ) const
 {
     const vector2 d = relative(x, t);
-    const scalar theta = std::atan2(d(1), d(0));
-    const vector2 f = polarForce(theta, t);
-    const vector2 n(std::cos(theta), std::sin(theta));
-    return f(0)*n + f(1)*vector2(-n(1), n(0));
+    return polarForce(std::atan2(d(1), d(0)), t);
 }

@@ -74,13 +74,13 @@ Foam::capsule::analyticalSolutions::decayingRotation::flow
 (
     const scalar r,
     const scalar,
-    const scalar t
+    const scalar t,
+    const bool in
 ) const
 {
     // Pressure from dp/dr = rho u_theta^2/r, by Simpson's rule from the circle
     const label n = 64;
     const scalar h = (r - radius_)/n;
-    const bool in = inside(r);
     scalar p = 0;
     for (label i = 0; i <= n; ++i)
     {

@@ -193,18 +193,28 @@ Foam::capsule::analyticalSolutions::dropMode::dropMode
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
-Foam::capsule::analyticalSolution::polarFlow
-Foam::capsule::analyticalSolutions::dropMode::flow
+Foam::scalar Foam::capsule::analyticalSolutions::dropMode::radius
 (
-    const scalar r,
     const scalar theta,
     const scalar t
 ) const
 {
     const number growth = std::exp(rate_*t);
-    const scalar x =
-        r/radius_/(1 + amplitude_*growth.real()*std::cos(m_*theta));
-    const bool in = (x < 1);
+    return radius_*(1 + amplitude_*growth.real()*std::cos(m_*theta));
+}
+
+
+Foam::capsule::analyticalSolution::polarFlow
+Foam::capsule::analyticalSolutions::dropMode::flow
+(
+    const scalar r,
+    const scalar theta,
+    const scalar t,
+    const bool in
+) const
+{
+    const number growth = std::exp(rate_*t);
+    const scalar x = r/radius(theta, t);
     const label i = (in ? 0 : 2);
     const derivatives a = growth*c_(i)*potential(in, x);
     const derivatives b = growth*c_(i + 1)*vortical(in, x);

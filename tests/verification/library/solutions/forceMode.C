@@ -71,11 +71,11 @@ Foam::capsule::analyticalSolutions::forceMode::flow
 (
     const scalar r,
     const scalar theta,
-    const scalar
+    const scalar,
+    const bool in
 ) const
 {
     const scalar m = m_;
-    const bool in = inside(r);
     const scalar s = r/radius_;
     const scalar e0 = in ? m : -m;
     const scalar e1 = in ? m + 2 : 2 - m;

@@ -46,10 +46,11 @@ Foam::capsule::analyticalSolutions::pressurisedCircle::pressurisedCircle
 Foam::capsule::analyticalSolution::polarFlow
 Foam::capsule::analyticalSolutions::pressurisedCircle::flow
 (
-    const scalar r,
     const scalar,
-    const scalar
+    const scalar,
+    const scalar,
+    const bool in
 ) const
 {
-    return {0, 0, inside(r) ? tension_/radius_ : 0};
+    return {0, 0, in ? tension_/radius_ : 0};
 }

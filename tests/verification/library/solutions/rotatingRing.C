@@ -52,7 +52,8 @@ Foam::capsule::analyticalSolutions::rotatingRing::flow
 (
     const scalar r,
     const scalar,
-    const scalar
+    const scalar,
+    const bool in
 ) const
 {
     // Pressure from dp/dr = rho u_theta^2/r, continuous
@@ -64,7 +65,7 @@ Foam::capsule::analyticalSolutions::rotatingRing::flow
                 0.5*sqr(a_*s) + 2*a_*b_*std::log(s/radius_) - 0.5*sqr(b_/s)
             );
     };
-    if (inside(r))
+    if (in)
     {
         const scalar p = 0.5*density_*sqr(W_)*(sqr(r) - sqr(radius_));
         return {0, W_*r, p};
