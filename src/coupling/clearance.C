@@ -194,6 +194,46 @@ bool Foam::capsule::clearance::meet
 }
 
 
+Foam::scalar Foam::capsule::clearance::film
+(
+    const nodalVectors& curve,
+    vector2& where
+) const
+{
+    const label n = curve.rows();
+    nodalVectors normal(n, 2);
+    for (label i = 0; i < n; ++i)
+    {
+        const vector2 along =
+            curve.row((i + 1) % n) - curve.row((i + n - 1) % n);
+        normal.row(i) = vector2(along(1), -along(0))/along.norm();
+    }
+
+    scalar least = sqr(resolved*width_);
+    bool found = false;
+    for (label i = 0; i < n; ++i)
+    {
+        for (label j = i + 1; j < n; ++j)
+        {
+            const vector2 d = curve.row(j) - curve.row(i);
+            const scalar square = d.squaredNorm();
+            if
+            (
+                square < least
+             && normal.row(i).dot(normal.row(j)) < -0.5
+             && sqr(d.dot(normal.row(i))) > 0.5*square
+            )
+            {
+                least = square;
+                where = curve.row(i) + 0.5*d;
+                found = true;
+            }
+        }
+    }
+    return found ? Foam::sqrt(least)/width_ : GREAT;
+}
+
+
 Foam::scalar Foam::capsule::clearance::spacing(const nodalVectors& curve) const
 {
     const label n = curve.rows();

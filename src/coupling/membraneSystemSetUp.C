@@ -73,6 +73,17 @@ void Foam::capsule::membraneSystem::warnOfResolution() const
                 << clearance::resolved << " cell widths to " << near.c_str()
                 << ": the film there is not resolved" << endl;
         }
+        vector2 where;
+        const scalar film = clearance_->film(points[i], where);
+        if (film < clearance::resolved)
+        {
+            WarningInFunction
+                << "Two parts of membrane " << name << " are " << film
+                << " cell widths apart at " << plane_.toPoint(where)
+                << ", less than " << clearance::resolved
+                << ": it is too thin there, or folded too closely, to be"
+                << " resolved" << endl;
+        }
         const scalar spacing = clearance_->spacing(points[i]);
         if (spacing > membrane::widestSpacing)
         {
