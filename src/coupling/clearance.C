@@ -196,26 +196,19 @@ bool Foam::capsule::clearance::meet
 
 Foam::scalar Foam::capsule::clearance::film
 (
-    const nodalVectors& curve,
+    const closedCurve& curve,
     vector2& where
 ) const
 {
-    const label n = curve.rows();
-    nodalVectors normal(n, 2);
-    for (label i = 0; i < n; ++i)
-    {
-        const vector2 along =
-            curve.row((i + 1) % n) - curve.row((i + n - 1) % n);
-        normal.row(i) = vector2(along(1), -along(0))/along.norm();
-    }
+    const nodalVectors& x = curve.nodes();
+    const nodalVectors& normal = curve.normal();
 
     scalar least = sqr(resolved*width_);
-    bool found = false;
-    for (label i = 0; i < n; ++i)
+    for (label i = 0; i < x.rows(); ++i)
     {
-        for (label j = i + 1; j < n; ++j)
+        for (label j = i + 1; j < x.rows(); ++j)
         {
-            const vector2 d = curve.row(j) - curve.row(i);
+            const vector2 d = x.row(j) - x.row(i);
             const scalar square = d.squaredNorm();
             if
             (
@@ -225,12 +218,11 @@ Foam::scalar Foam::capsule::clearance::film
             )
             {
                 least = square;
-                where = curve.row(i) + 0.5*d;
-                found = true;
+                where = x.row(i) + 0.5*d;
             }
         }
     }
-    return found ? Foam::sqrt(least)/width_ : GREAT;
+    return Foam::sqrt(least)/width_;
 }
 
 

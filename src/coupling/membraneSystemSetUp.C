@@ -74,7 +74,7 @@ void Foam::capsule::membraneSystem::warnOfResolution() const
                 << ": the film there is not resolved" << endl;
         }
         vector2 where;
-        const scalar film = clearance_->film(points[i], where);
+        const scalar film = clearance_->film(parts_[i].body().curve(), where);
         if (film < clearance::resolved)
         {
             WarningInFunction

@@ -244,8 +244,7 @@ void Foam::capsule::sharpMembrane::start(const volVectorField& U)
     if (body_.nOld() == 0 && inertial())
     {
         // No boundary layers yet
-        now.inertia =
-            scaled(-viscousForce(now), interface_->distance().curve().tangent());
+        now.inertia = scaled(-viscousForce(now), curve().tangent());
     }
     setJumps(*interface_, now);
     fit_.reset(new oneSidedFit(*interface_, fitSide()));
@@ -284,7 +283,10 @@ void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
     fluid_ = oneSidedFit::fitted();
 
     setScale();
-    oldViscousForce_ = viscousForce(body_.old(0));
+    if (inertial())
+    {
+        oldViscousForce_ = viscousForce(body_.old(0));
+    }
     resolving_ = filter(curve(), forceWaves_);
     setResponse
     (
