@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Mutates every entry of capsuleFoam's dictionaries and judges how the run ends.
 
-    fuzz.py CASE [-only WORD] [-timeout SECONDS]
+    fuzz.py CASES [-only WORD] [-timeout SECONDS]
 
-CASE is a meshed case that has run, with a state to restart from. A mutation must end with a fatal error that names
+CASES is a folder of meshed cases: case, which has run, with a state to restart from; those of APART. A mutation must end with a fatal error that names
 entry and file, unless it is listed as valid below: then with End and finite numbers. Never a signal, a hang or NaN.
 Prints a line for each file and kind of mutation, and counts; -only runs the mutations whose name contains WORD.
 """
@@ -25,6 +25,7 @@ MEMBRANES = 'constant/membraneProperties'
 SOLUTION = 'system/fvSolution'
 SCHEMES = 'system/fvSchemes'
 CONTROL = 'system/controlDict'
+DRIVING = 'constant/drivingForce'
 
 # Where our entries are: dictionaries of OpenFOAM's own are left alone
 OURS = {
@@ -33,6 +34,14 @@ OURS = {
     SOLUTION: 'capsuleFoam',
     SCHEMES: 'ddtSchemes',
     CONTROL: 'functions',
+    DRIVING: '',
+}
+
+# Variants that have a case of their own, and the file mutated there
+APART = {
+    'meanVelocity': DRIVING,
+    'meanPressureGradient': DRIVING,
+    'PISO': SOLUTION,
 }
 
 # Entries of function objects that OpenFOAM reads, and its scheme for all other terms
@@ -68,9 +77,14 @@ VALID = [
     ('.*', 'angle', 'zero|negative|tiny|small'),
     ('.*', 'pRefValue', 'zero|negative|tiny|small'),
     # The corner of the mesh
-    ('.*', 'pRefPoint', 'zero|tiny|small'),
+    ('.*', 'pRefPoint', '(zero|tiny|small)(, second)?'),
     ('.*', 'pRefCell', 'zero'),
-    ('.*', r'conserveArea|measures\.lines', 'zero|wrong type: a number'),
+    ('.*', r'conserveArea|measures\.lines|momentumPredictor', 'zero|wrong type: a number'),
+    ('PISO', r'nCorrectors|nNonOrthogonalCorrectors|momentumPredictor', 'removed'),
+    ('PISO', 'nNonOrthogonalCorrectors', 'zero'),
+    # Along the channel any sign will do; across it nothing but what rounding leaves
+    ('mean.*', 'velocity|pressureGradient', '(zero|tiny|small)(, second)?|negative'),
+    ('mean.*', '', 'missing'),
     ('base', '^membranes', 'wrong type: empty'),
     ('base', '', 'truncated after the end'),
     ('base', r'membranes\.cell', 'removed|misspelt'),
@@ -83,7 +97,7 @@ WARNED = [
 
 # Finite results and an error that names the entry are both right: far from what is usual, within the bounds
 EITHER = [
-    ('.*', r'rho|mu|viscosity|Modulus|\.surfaceTension', 'large|small'),
+    ('.*', r'rho|mu|viscosity|Modulus|\.surfaceTension|^velocity|^pressureGradient', 'large|small'),
 ]
 
 LOCK = threading.Lock()
@@ -177,11 +191,11 @@ def mutations(variant, file, text):
                     yield become(kind, what, new)
                 else:
                     changed = numbers[:i] + [new] + numbers[i + 1:]
-                    yield become(kind, what, '(' + ' '.join(changed) + ')')
+                    yield become(kind, what + ', second'*i, '(' + ' '.join(changed) + ')')
                 if isNumber:
                     break
 
-        isLabel = isNumber and re.search(r'points|maxIter|directions|refactor|pRefCell', e.name)
+        isLabel = isNumber and re.search(r'points|maxIter|directions|refactor|pRefCell|Correctors', e.name)
         cases = [('zero', 'zero', '0'), ('negative', 'negative', '-1'), ('not a number', 'nan', 'nan'),
                  ('not a number', '-nan', '-nan'), ('not a number', 'inf', 'inf'), ('huge', 'huge', '1e300'),
                  ('huge', 'beyond the range', '1e999'),
@@ -191,24 +205,25 @@ def mutations(variant, file, text):
                       ('huge', 'huge', '2147483647')]
         for case in cases:
             yield from each(*case)
-        if isNumber and not isLabel:
-            yield become('wrong units', 'wrong units', '[1 2 3 0 0 0 0] 1')
-            yield become('wrong units', 'wrong units: none', '[0 0 0 0 0 0 0] 1')
+        if not isLabel:
+            one = '1' if isNumber else value
+            yield become('wrong units', 'wrong units', '[1 2 3 0 0 0 0] ' + one)
+            yield become('wrong units', 'wrong units: none', '[0 0 0 0 0 0 0] ' + one)
             yield become('wrong units', 'wrong units: open bracket', '[1 -1 1')
 
 
-def truncations(file, text, parts):
+def truncations(variant, file, text, parts):
     """A file that ends too early, or holds something else"""
     for i in range(1, parts):
-        yield Mutation('base', file, '', 'truncated', 'truncated %d/%d' % (i, parts), text[:len(text)*i//parts])
-    yield Mutation('base', file, '', 'truncated', 'empty', '')
-    yield Mutation('base', file, '', 'truncated', 'missing', None)
-    yield Mutation('base', file, '', 'truncated', 'binary', '\x00\x01\xff{;(' * 50)
+        yield Mutation(variant, file, '', 'truncated', 'truncated %d/%d' % (i, parts), text[:len(text)*i//parts])
+    yield Mutation(variant, file, '', 'truncated', 'empty', '')
+    yield Mutation(variant, file, '', 'truncated', 'missing', None)
+    yield Mutation(variant, file, '', 'truncated', 'binary', '\x00\x01\xff{;(' * 50)
 
 
 def states(file, text):
     """Damage of the state of a membrane"""
-    yield from truncations(file, text, 25)
+    yield from truncations('base', file, text, 25)
     end = text.index(';', text.index('digest'))
     for i in (1, 2, 20, 41, 50, 60):
         yield Mutation('base', file, '', 'truncated', 'truncated near the end', text[:end + 1 - i])
@@ -298,20 +313,24 @@ def run(directory, m, timeout):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('case')
+    parser.add_argument('cases')
     parser.add_argument('-only', default='')
     parser.add_argument('-timeout', type=float, default=20)
     args = parser.parse_args()
 
-    def read(file):
-        with open(os.path.join(args.case, file)) as f:
+    def read(file, case='case'):
+        with open(os.path.join(args.cases, case, file)) as f:
             return f.read()
 
     # The base case starts from its shape; the state is that of its second step
     work = []
-    for file in OURS:
+    for file in [f for f in OURS if f != DRIVING]:
         work += mutations('base', file, read(file))
-        work += truncations(file, read(file), 10)
+        work += truncations('base', file, read(file), 10)
+    for case, file in APART.items():
+        work.append(Mutation(case, file, '', 'unchanged', 'unchanged', read(file, case)))
+        work += mutations(case, file, read(file, case))
+    work += truncations('meanVelocity', DRIVING, read(DRIVING, 'meanVelocity'), 10)
     for variant, (file, changes, only) in VARIANTS.items():
         text = read(file)
         for old, new in changes:
@@ -326,11 +345,11 @@ def main():
 
     workers = 2
     for fresh in range(workers):
-        for start in ('start', 'restart'):
-            target = os.path.join(args.case + 'Work', '%d' % fresh, start)
+        for case in ['restart', 'start', *APART]:
+            target = os.path.join(args.cases, 'work', '%d' % fresh, case)
             shutil.rmtree(target, ignore_errors=True)
-            shutil.copytree(args.case, target)
-            if start == 'start':
+            shutil.copytree(os.path.join(args.cases, case if case in APART else 'case'), target)
+            if case == 'start':
                 shutil.rmtree(os.path.join(target, '0.04'))
     free = list(range(workers))
 
@@ -338,8 +357,8 @@ def main():
         with LOCK:
             worker = free.pop()
         try:
-            start = 'restart' if m.file == restart else 'start'
-            outcome, log = run(os.path.join(args.case + 'Work', str(worker), start), m, args.timeout)
+            case = m.variant if m.variant in APART else 'restart' if m.file == restart else 'start'
+            outcome, log = run(os.path.join(args.cases, 'work', str(worker), case), m, args.timeout)
         finally:
             with LOCK:
                 free.append(worker)
