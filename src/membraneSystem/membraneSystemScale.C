@@ -1,0 +1,182 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "membraneSystem.H"
+#include "timeScheme.H"
+#include "fvm.H"
+#include "fvc.H"
+#include <algorithm>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Field>
+bool Foam::capsule::membraneSystem::setInside
+(
+    Field& field,
+    scalar (immersedMembrane::*value)() const
+) const
+{
+    bool changed = false;
+    for (const immersedMembrane& m : parts_)
+    {
+        const scalar inside = (m.*value)();
+        if (inside != 1)
+        {
+            changed = true;
+            for (const label celli : m.distance().inside())
+            {
+                field[celli] = inside;
+            }
+        }
+    }
+    return changed;
+}
+
+
+void Foam::capsule::membraneSystem::setScale()
+{
+    volScalarField& scale = fields_->scale;
+    scale = dimensionedScalar("one", dimless, 1);
+    if (setInside(scale, &immersedMembrane::scale))
+    {
+        scale.correctBoundaryConditions();
+    }
+}
+
+
+void Foam::capsule::membraneSystem::addDriven
+(
+    volScalarField& pressure,
+    const bool inverse
+) const
+{
+    const vector2 G = plane_(driving_.force());
+    for (const immersedMembrane& m : parts_)
+    {
+        const scalar a = (inverse ? 1/m.scale() : m.scale());
+        if (a == 1 || G.isZero(0))
+        {
+            continue;
+        }
+        const membraneLevelSet& distance = m.distance();
+        for (const label celli : distance.inside())
+        {
+            pressure[celli] +=
+                (1 - a)
+               *G.dot(distance.image(mesh_.C()[celli]) - distance.centre());
+        }
+    }
+}
+
+
+void Foam::capsule::membraneSystem::setViscosity()
+{
+    if (fields_->sources.viscosity.valid())
+    {
+        volScalarField& mu = *fields_->sources.viscosity;
+        mu = dimensionedScalar("mu", mu.dimensions(), mu_);
+        for (const immersedMembrane& m : parts_)
+        {
+            m.addViscosity(mu);
+        }
+        mu.correctBoundaryConditions();
+    }
+}
+
+
+Foam::tmp<Foam::fvVectorMatrix>
+Foam::capsule::membraneSystem::viscousTerm() const
+{
+    if (fields_.valid() && fields_->sources.viscosity.valid())
+    {
+        return -fvm::laplacian(*fields_->sources.viscosity, U_);
+    }
+
+    const dimensionedScalar mu("mu", dimPressure*dimTime, mu_);
+    tmp<fvVectorMatrix> term(-fvm::laplacian(mu, U_));
+    const bool uniform = std::all_of
+    (
+        parts_.begin(),
+        parts_.end(),
+        [](const immersedMembrane& m) { return m.viscousScale() == 1; }
+    );
+    if (!uniform)
+    {
+        scalarField rows(mesh_.nCells(), 1);
+        setInside(rows, &immersedMembrane::viscousScale);
+        term.ref() *= volScalarField::Internal
+        (
+            IOobject("viscousScale", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimless,
+            rows
+        );
+    }
+    return term;
+}
+
+
+void Foam::capsule::membraneSystem::setSwept()
+{
+    if (timeScheme(mesh_, "ddt(U)", 0).c == 0)
+    {
+        return;
+    }
+
+    volVectorField& swept = fields_->swept;
+    swept = dimensionedVector(swept.dimensions(), Zero);
+    for (const immersedMembrane& m : parts_)
+    {
+        m.addSwept(swept);
+    }
+    swept.primitiveFieldRef() *= rho_*fields_->scale.primitiveField();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::fvVectorMatrix> Foam::capsule::membraneSystem::inertia
+(
+    tmp<fvVectorMatrix> term,
+    const surfaceScalarField& flux
+)
+{
+    if (size())
+    {
+        flux_.reset(new surfaceScalarField(flux));
+        term.ref() -= fvm::Sp(fvc::div(flux), U_);
+    }
+    if (scaledPressure_.valid())
+    {
+        term.ref() *= fields_->scale.internalField();
+    }
+    return term;
+}
+
+
+Foam::volScalarField& Foam::capsule::membraneSystem::scaledPressure()
+{
+    return scaledPressure_.valid() ? *scaledPressure_ : pressure_;
+}
+
+
+void Foam::capsule::membraneSystem::setPressure()
+{
+    if (scaledPressure_.valid())
+    {
+        volScalarField& p = *scaledPressure_;
+        pressure_ = p/fields_->scale;
+        addDriven(pressure_, true);
+
+        // As a restart from here reads it, to the last bit
+        p = pressure_*fields_->scale;
+        addDriven(p, false);
+    }
+}
