@@ -55,18 +55,13 @@ void Foam::functionObjects::membraneMeasures::writeMeasures
     const scalar U = curve.integral(x.col(0).cwiseProduct(un))/area;
     const scalar V = curve.integral(x.col(1).cwiseProduct(un))/area;
 
-    const scalar power = curve.integral
-    (
-        capsule::dot(m.force(curve, curve.metric()), m.now().velocity)
-    );
-
     os  << mesh_.time().timeOutputValue()
         << tab << c(0) << tab << c(1) << tab << U << tab << V
         << tab << area << tab << curve.perimeter()
         << tab << extents(0) << tab << extents(1)
         << tab << stretch.minCoeff() << tab << stretch.maxCoeff()
         << tab << curve.taylorDeformation()
-        << tab << m.elasticEnergy(curve) << tab << power << endl;
+        << tab << m.elasticEnergy(curve) << tab << m.power(curve) << endl;
 }
 
 

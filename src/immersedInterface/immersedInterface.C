@@ -222,6 +222,25 @@ Foam::vector Foam::capsule::immersedInterface::addGradient
 }
 
 
+void Foam::capsule::immersedInterface::addGradient
+(
+    volTensorField& gradient
+) const
+{
+    const fvMesh& mesh = levelSet_.mesh();
+
+    for (const cutFaces::view& v : faces_.views())
+    {
+        if (v.cell != -1)
+        {
+            gradient[v.cell] +=
+                v.sign*cutFaces::value(mesh.Sf(), v.face)
+               *(v.weight*v.side*seen(U_, v))/mesh.V()[v.cell];
+        }
+    }
+}
+
+
 void Foam::capsule::immersedInterface::addConvection
 (
     const surfaceScalarField& flux,

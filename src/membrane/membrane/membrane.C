@@ -169,6 +169,12 @@ Foam::scalar Foam::capsule::membrane::elasticEnergy
 }
 
 
+Foam::scalar Foam::capsule::membrane::power(const closedCurve& curve) const
+{
+    return curve.integral(dot(force(curve, curve.metric()), now_.velocity));
+}
+
+
 Foam::capsule::nodalVectors Foam::capsule::membrane::force
 (
     const closedCurve& curve,

@@ -36,9 +36,17 @@ Foam::capsule::membraneShape::membraneShape
 :
     centre_(plane(input::get<point>(dict, "centre"))),
     cos_(1),
-    sin_(0)
+    sin_(0),
+    clustering_
+    (
+        input::getBetweenOrDefault<scalar>(dict, "clustering", 0, -0.8, 0.8)
+    )
 {
-    input::permit(dict, input::joined({"type", "centre", "angle"}, own));
+    input::permit
+    (
+        dict,
+        input::joined({"type", "centre", "angle", "clustering"}, own)
+    );
 
     const scalar angle = degToRad
     (
@@ -132,8 +140,9 @@ Foam::capsule::nodalVectors Foam::capsule::membraneShape::nodes
     nodalVectors result(basis.size(), 2);
     for (label j = 0; j < basis.size(); ++j)
     {
-        const scalar target = g(0)*basis.alpha(j);
-        scalar chi = basis.alpha(j);
+        const scalar alpha = basis.alpha(j);
+        const scalar target = g(0)*(alpha - 0.5*clustering_*std::sin(2*alpha));
+        scalar chi = alpha;
         for (label iter = 0; iter < 50; ++iter)
         {
             const scalar step =

@@ -67,7 +67,7 @@ VARIANTS = {
 
 # Mutations that leave the case a valid one: variant, entry and mutation as regular expressions
 VALID = [
-    (r'base|circle|ellipse|points|fractionalStep', r'cell\.(points|levelSet)|angle|coupling\.(\w+Tolerance|maxIter|conserveArea)|flow\.(tolerance|maxIter|directions|refactor)', 'removed'),
+    (r'base|circle|ellipse|points|fractionalStep', r'cell\.(points|levelSet)|angle|clustering|coupling\.(\w+Tolerance|maxIter|conserveArea)|flow\.(tolerance|maxIter|directions|refactor)', 'removed'),
     ('fixedPoint', 'relaxation', 'removed'),
     ('load', r'cell\.load', 'removed'),
     ('.*', r'ddt\((U|membranes)\)', 'removed'),
@@ -75,6 +75,7 @@ VALID = [
     ('noTension', r'elasticLaw\.shearModulus', '(?!misspelt|beyond).*'),
     ('noBending', r'bending\.bendingModulus', '(?!misspelt|beyond).*'),
     ('.*', 'angle', 'zero|negative|tiny|small'),
+    ('.*', 'clustering', 'zero|tiny|small'),
     ('.*', 'pRefValue', 'zero|negative|tiny|small'),
     # The corner of the mesh
     ('.*', 'pRefPoint', '(zero|tiny|small)(, second)?'),

@@ -12,6 +12,8 @@ License
 #include "timeScheme.H"
 #include "fvm.H"
 #include "fvc.H"
+#include "gaussGrad.H"
+#include "zeroGradientFvPatchFields.H"
 #include <algorithm>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -164,6 +166,52 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::capsule::membraneSystem::inertia
 Foam::volScalarField& Foam::capsule::membraneSystem::scaledPressure()
 {
     return scaledPressure_.valid() ? *scaledPressure_ : pressure_;
+}
+
+
+Foam::tmp<Foam::volTensorField>
+Foam::capsule::membraneSystem::velocityGradient() const
+{
+    tmp<volTensorField> gradient
+    (
+        fv::gaussGrad<vector>::gradf(linearInterpolate(U_), "velocityGradient")
+    );
+    for (const immersedMembrane& m : parts_)
+    {
+        m.addGradient(gradient.ref());
+    }
+    fv::gaussGrad<vector>::correctBoundaryConditions(U_, gradient.ref());
+    return gradient;
+}
+
+
+Foam::tmp<Foam::volScalarField>
+Foam::capsule::membraneSystem::viscosity() const
+{
+    if (fields_.valid() && fields_->sources.viscosity.valid())
+    {
+        return *fields_->sources.viscosity;
+    }
+
+    tmp<volScalarField> viscosity
+    (
+        volScalarField::New
+        (
+            "viscosity",
+            mesh_,
+            dimensionedScalar("mu", dimPressure*dimTime, mu_),
+            zeroGradientFvPatchScalarField::typeName
+        )
+    );
+    for (const immersedMembrane& m : parts_)
+    {
+        for (const label celli : m.distance().inside())
+        {
+            viscosity.ref()[celli] = m.body().viscosity();
+        }
+    }
+    viscosity.ref().correctBoundaryConditions();
+    return viscosity;
 }
 
 

@@ -1,0 +1,180 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "energyBalance.H"
+#include "membraneSystem.H"
+#include "input.H"
+#include "fvc.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(energyBalance, 0);
+    addToRunTimeSelectionTable(functionObject, energyBalance, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::Pair<Foam::scalar> Foam::functionObjects::energyBalance::boundaries
+(
+    const volVectorField& U,
+    const volTensorField& gradient,
+    const volScalarField& viscosity,
+    const scalar density
+) const
+{
+    const auto& p = mesh_.lookupObject<volScalarField>("p");
+    const volVectorField gradp(fvc::grad(p));
+
+    Pair<scalar> result(0, 0);
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        if (patch.coupled() || !patch.size())
+        {
+            continue;
+        }
+        const vectorField& S = patch.Sf();
+        const vectorField& u = U.boundaryField()[patchi];
+        const fvPatchScalarField& pp = p.boundaryField()[patchi];
+
+        scalarField pressure(pp);
+        if (!pp.fixesValue())
+        {
+            // The momentum equation of the cell, which needs the gradient, has
+            // the cell's own value on this face: that value is the one as far
+            // beyond the face as the cell's centre lies before it
+            pressure -=
+                (
+                    gradp.boundaryField()[patchi].patchInternalField()
+                  & patch.nf()
+                )
+               /patch.deltaCoeffs();
+        }
+        const vectorField traction
+        (
+            (
+                2*viscosity.boundaryField()[patchi]
+               *symm(gradient.boundaryField()[patchi])
+              & S
+            )
+          - pressure*S
+        );
+        result.first() += gSum(traction & u);
+        result.second() += gSum(0.5*density*magSqr(u)*(u & S));
+    }
+    return result;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::energyBalance::energyBalance
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    writeFile(mesh_, name, typeName, dict)
+{
+    read(dict);
+
+    file().precision(12);
+    writeHeader(file(), "Balance of mechanical energy [W/m]");
+    writeCommented(file(), "Time");
+    for
+    (
+        const char* column :
+        {
+            "dissipation", "kineticEnergyRate", "boundaries", "membranes",
+            "drivingForce", "imbalance"
+        }
+    )
+    {
+        writeTabbed(file(), column);
+    }
+    file() << endl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::energyBalance::read(const dictionary& dict)
+{
+    capsule::input::warnOfOthers
+    (
+        dict,
+        capsule::input::functionObjectEntries()
+    );
+    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
+}
+
+
+bool Foam::functionObjects::energyBalance::execute()
+{
+    return true;
+}
+
+
+bool Foam::functionObjects::energyBalance::write()
+{
+    const auto& system =
+        mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
+    const auto& U = mesh_.lookupObject<volVectorField>("U");
+    const scalar thickness = system.plane().thickness();
+    const scalarField& V = mesh_.V();
+
+    const volTensorField gradient(system.velocityGradient());
+    const volScalarField viscosity(system.viscosity());
+    const Pair<scalar> boundary
+    (
+        boundaries(U, gradient, viscosity, system.density())
+    );
+
+    const scalar dissipation =
+        gSum
+        (
+            2*viscosity.primitiveField()
+           *magSqr(symm(gradient.primitiveField()))*V
+        )/thickness;
+    const scalar kinetic =
+    (
+        system.density()
+       *gSum((U.primitiveField() & fvc::ddt(U)().primitiveField())*V)
+      + boundary.second()
+    )/thickness;
+    const scalar driving =
+        (system.driving().force() & gSum(U.primitiveField()*V))/thickness;
+    scalar membranes = 0;
+    for (label i = 0; i < system.size(); ++i)
+    {
+        membranes += system[i].power(system[i].curve());
+    }
+
+    if (Pstream::master())
+    {
+        const scalar stress = boundary.first()/thickness;
+        file()
+            << mesh_.time().timeOutputValue()
+            << tab << dissipation << tab << kinetic << tab << stress
+            << tab << membranes << tab << driving
+            << tab << stress + membranes + driving - dissipation - kinetic
+            << endl;
+    }
+    return true;
+}
