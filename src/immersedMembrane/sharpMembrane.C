@@ -10,7 +10,6 @@ License
 
 #include "sharpMembrane.H"
 #include "freeSpaceResponse.H"
-#include "timeScheme.H"
 #include "profiling.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -99,40 +98,6 @@ void Foam::capsule::sharpMembrane::setJumps
 }
 
 
-Foam::capsule::nodalMatrix Foam::capsule::sharpMembrane::fluidDerivative
-(
-    const couplingMethod& method
-)
-{
-    const label n = body_.size();
-    nodalMatrix derivative = nodalMatrix::Identity(2*n, 2*n);
-
-    if (ratio_ != 1)
-    {
-        traction_ = freeSpaceResponse::traction(curve());
-        traction_.diagonal().array() += 0.5;
-        if (!method.usesResponse())
-        {
-            return 0.5*(1 + ratio_)*derivative;
-        }
-        derivative -= (1 - ratio_)*traction_;
-
-        // The normal traction is a pressure
-        const nodalScalars nx = curve().normal().col(0);
-        const nodalScalars ny = curve().normal().col(1);
-        const nodalMatrix normal =
-            (1 - ratio_)*(1 - pressureWeight())
-           *(
-                nx.asDiagonal()*traction_.topRows(n)
-              + ny.asDiagonal()*traction_.bottomRows(n)
-            );
-        derivative.topRows(n) += nx.asDiagonal()*normal;
-        derivative.bottomRows(n) += ny.asDiagonal()*normal;
-    }
-    return derivative;
-}
-
-
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::velocity
@@ -146,71 +111,6 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::velocity
     return
         fluid_.value.leftCols(2)
       + unstacked(velocityResponse()*unresolvedForce());
-}
-
-
-Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastForce
-(
-    const vector2& driving
-)
-{
-    if (ratio_ == 1)
-    {
-        return immersedMembrane::contrastForce(driving);
-    }
-    const nodalVectors& n = curve().normal();
-    const nodalVectors& t = curve().tangent();
-
-    // The real pressure, scaled: see membraneSystem, driven flow
-    nodalScalars pressure =
-        fluid_.pressure(mu_)
-      - (curve().nodes().rowwise() - distance().centre())*driving.transpose();
-    nodalVectors viscous = fluid_.viscous(n, mu_);
-    nodalScalars vorticity = mu_*fluid_.vorticity();
-    if (fitSide() > 0)
-    {
-        const nodalVectors f = resolvedForce();
-        pressure -= dot(f, n);
-        viscous += scaled(dot(f, t), t);
-        vorticity += dot(f, t);
-    }
-    const nodalVectors shortWaves = unstacked(traction_*unresolvedForce());
-    pressure -= dot(shortWaves, n);
-    viscous += scaled(dot(shortWaves, t), t);
-
-    // The resultant is known; pressure a.n with the constant a fills it
-    const nodalVectors traction = ratio_*viscous - scaled(pressure/scale_, n);
-    const auto integral = [&](const nodalVectors& v)
-    {
-        return vector2(curve().integral(v.col(0)), curve().integral(v.col(1)));
-    };
-    Eigen::Matrix<scalar, 2, 2> normals;
-    normals.row(0) = integral(scaled(n.col(0), n));
-    normals.row(1) = integral(scaled(n.col(1), n));
-    const vector2 a =
-        (integral(traction) - momentumRate())*normals.inverse();
-    pressure += scale_*n*a.transpose();
-    if (ratio_ > 1 && !inertial())
-    {
-        // So is the moment; shear along the membrane fills it
-        const auto moment = [&](const nodalVectors& v)
-        {
-            const nodalVectors& x = curve().nodes();
-            return curve().integral
-            (
-                x.col(0).cwiseProduct(v.col(1))
-              - x.col(1).cwiseProduct(v.col(0))
-            );
-        };
-        const nodalVectors corrected =
-            ratio_*viscous - scaled(pressure/scale_, n);
-        viscous -= t*(moment(corrected)/(ratio_*moment(t)));
-    }
-
-    body_.now().inner.col(0) = vorticity;
-    body_.now().inner.col(1) = pressure/scale_;
-
-    return (1 - ratio_)*(viscous - pressureWeight()*scaled(pressure, n));
 }
 
 

@@ -138,6 +138,14 @@ Foam::capsule::restartableTime::restartableTime(const argList& args)
     Time(Time::controlDictName, args),
     writeOrigin_(startTime_)
 {
+    if (Pstream::parRun() && fileHandler().type() == "collated")
+    {
+        FatalErrorInFunction
+            << "The fileHandler is collated; permitted in parallel:"
+            << " uncollated, masterUncollated" << nl
+            << "    The states that a restart needs are files of each"
+            << " processor." << exit(FatalError);
+    }
     const bool begun = isFile(timePath()/"uniform"/"time");
     if (returnReduce(begun, orOp<bool>()))
     {
