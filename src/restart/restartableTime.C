@@ -138,13 +138,13 @@ Foam::capsule::restartableTime::restartableTime(const argList& args)
     Time(Time::controlDictName, args),
     writeOrigin_(startTime_)
 {
-    if (Pstream::parRun() && fileHandler().type() == "collated")
+    if (Pstream::parRun() && fileHandler().type() != "uncollated")
     {
         FatalErrorInFunction
-            << "The fileHandler is collated; permitted in parallel:"
-            << " uncollated, masterUncollated" << nl
-            << "    The states that a restart needs are files of each"
-            << " processor." << exit(FatalError);
+            << "The fileHandler is " << fileHandler().type()
+            << "; permitted in parallel: uncollated" << nl
+            << "    Each processor has files of its own that a restart needs."
+            << exit(FatalError);
     }
     const bool begun = isFile(timePath()/"uniform"/"time");
     if (returnReduce(begun, orOp<bool>()))
