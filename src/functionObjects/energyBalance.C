@@ -90,7 +90,8 @@ Foam::functionObjects::energyBalance::energyBalance
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, typeName, dict)
+    writeFile(mesh_, name, typeName, dict),
+    largestImbalance_(0)
 {
     read(dict);
 
@@ -119,7 +120,19 @@ bool Foam::functionObjects::energyBalance::read(const dictionary& dict)
     capsule::input::warnOfOthers
     (
         dict,
-        capsule::input::functionObjectEntries()
+        capsule::input::joined
+        (
+            capsule::input::functionObjectEntries(),
+            {"largestImbalance"}
+        )
+    );
+    largestImbalance_ = capsule::input::getBetweenOrDefault<scalar>
+    (
+        dict,
+        "largestImbalance",
+        0.1,
+        capsule::input::smallest,
+        capsule::input::largest
     );
     return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
 }
@@ -166,15 +179,23 @@ bool Foam::functionObjects::energyBalance::write()
         membranes += system[i].power(system[i].curve());
     }
 
+    const scalar stress = boundary.first()/thickness;
+    const scalar imbalance =
+        stress + membranes + driving - dissipation - kinetic;
+    const scalar fed = max(stress, 0) + max(membranes, 0) + max(driving, 0);
+
     if (Pstream::master())
     {
-        const scalar stress = boundary.first()/thickness;
         file()
             << mesh_.time().timeOutputValue()
             << tab << dissipation << tab << kinetic << tab << stress
-            << tab << membranes << tab << driving
-            << tab << stress + membranes + driving - dissipation - kinetic
-            << endl;
+            << tab << membranes << tab << driving << tab << imbalance << endl;
+    }
+    if (mag(imbalance) > largestImbalance_*fed)
+    {
+        WarningInFunction
+            << "Power of " << imbalance << " [W/m] is out of balance, but "
+            << fed << " feed the flow: the mesh does not resolve it" << endl;
     }
     return true;
 }
