@@ -43,7 +43,7 @@ Foam::Pair<Foam::scalar> Foam::functionObjects::energyBalance::boundaries
     forAll(mesh_.boundary(), patchi)
     {
         const fvPatch& patch = mesh_.boundary()[patchi];
-        if (patch.coupled() || !patch.size())
+        if (patch.coupled())
         {
             continue;
         }
@@ -73,9 +73,13 @@ Foam::Pair<Foam::scalar> Foam::functionObjects::energyBalance::boundaries
             )
           - pressure*S
         );
-        result.first() += gSum(traction & u);
-        result.second() += gSum(0.5*density*magSqr(u)*(u & S));
+        result.first() += sum(traction & u);
+        result.second() += sum(0.5*density*magSqr(u)*(u & S));
     }
+
+    // Once for all: ranks have no faces on some of the patches
+    reduce(result.first(), sumOp<scalar>());
+    reduce(result.second(), sumOp<scalar>());
     return result;
 }
 
@@ -182,7 +186,8 @@ bool Foam::functionObjects::energyBalance::write()
     const scalar stress = boundary.first()/thickness;
     const scalar imbalance =
         stress + membranes + driving - dissipation - kinetic;
-    const scalar fed = max(stress, 0) + max(membranes, 0) + max(driving, 0);
+    const scalar fed =
+        max(stress, 0) + max(membranes, 0) + max(driving, 0) + max(-kinetic, 0);
 
     if (Pstream::master())
     {

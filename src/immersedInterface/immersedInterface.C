@@ -88,6 +88,31 @@ void Foam::capsule::immersedInterface::addOnFace
 }
 
 
+template<class Type, class Gradient>
+Gradient Foam::capsule::immersedInterface::addGaussGradient
+(
+    const GeometricField<Type, fvPatchField, volMesh>& jump,
+    GeometricField<Gradient, fvPatchField, volMesh>& gradient
+) const
+{
+    const fvMesh& mesh = levelSet_.mesh();
+    Gradient total(Zero);
+
+    for (const cutFaces::view& v : faces_.views())
+    {
+        if (v.cell != -1)
+        {
+            const Gradient flux =
+                v.sign*cutFaces::value(mesh.Sf(), v.face)
+               *v.weight*v.side*seen(jump, v);
+            gradient[v.cell] += flux/mesh.V()[v.cell];
+            total += flux;
+        }
+    }
+    return total;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::immersedInterface::immersedInterface
@@ -205,20 +230,7 @@ Foam::vector Foam::capsule::immersedInterface::addGradient
     volVectorField& gradient
 ) const
 {
-    const fvMesh& mesh = levelSet_.mesh();
-    vector total(Zero);
-
-    for (const cutFaces::view& v : faces_.views())
-    {
-        if (v.cell != -1)
-        {
-            const vector flux =
-                v.sign*cutFaces::value(mesh.Sf(), v.face)*v.weight*v.side*seen(p_, v);
-            gradient[v.cell] += flux/mesh.V()[v.cell];
-            total += flux;
-        }
-    }
-    return returnReduce(total, sumOp<vector>());
+    return returnReduce(addGaussGradient(p_, gradient), sumOp<vector>());
 }
 
 
@@ -227,17 +239,7 @@ void Foam::capsule::immersedInterface::addGradient
     volTensorField& gradient
 ) const
 {
-    const fvMesh& mesh = levelSet_.mesh();
-
-    for (const cutFaces::view& v : faces_.views())
-    {
-        if (v.cell != -1)
-        {
-            gradient[v.cell] +=
-                v.sign*cutFaces::value(mesh.Sf(), v.face)
-               *(v.weight*v.side*seen(U_, v))/mesh.V()[v.cell];
-        }
-    }
+    addGaussGradient(U_, gradient);
 }
 
 

@@ -199,17 +199,12 @@ Foam::capsule::membraneSystem::viscosity() const
         (
             "viscosity",
             mesh_,
-            dimensionedScalar("mu", dimPressure*dimTime, mu_),
+            dimensionedScalar("one", dimPressure*dimTime, 1),
             zeroGradientFvPatchScalarField::typeName
         )
     );
-    for (const immersedMembrane& m : parts_)
-    {
-        for (const label celli : m.distance().inside())
-        {
-            viscosity.ref()[celli] = m.body().viscosity();
-        }
-    }
+    setInside(viscosity.ref(), &immersedMembrane::viscosityRatio);
+    viscosity.ref() *= mu_;
     viscosity.ref().correctBoundaryConditions();
     return viscosity;
 }
