@@ -26,6 +26,9 @@ namespace functionObjects
 }
 
 
+const Foam::scalar Foam::functionObjects::energyBalance::rest_ = 1e-6;
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::Pair<Foam::scalar> Foam::functionObjects::energyBalance::boundaries
@@ -178,9 +181,13 @@ bool Foam::functionObjects::energyBalance::write()
     const scalar driving =
         (system.driving().force() & gSum(U.primitiveField()*V))/thickness;
     scalar membranes = 0;
+    scalar gross = 0;
     for (label i = 0; i < system.size(); ++i)
     {
-        membranes += system[i].power(system[i].curve());
+        const capsule::closedCurve curve(system[i].curve());
+        const capsule::nodalScalars power = system[i].power(curve);
+        membranes += curve.integral(power);
+        gross += curve.integral(power.cwiseAbs());
     }
 
     const scalar stress = boundary.first()/thickness;
@@ -196,7 +203,7 @@ bool Foam::functionObjects::energyBalance::write()
             << tab << dissipation << tab << kinetic << tab << stress
             << tab << membranes << tab << driving << tab << imbalance << endl;
     }
-    if (mag(imbalance) > largestImbalance_*fed)
+    if (mag(imbalance) > max(largestImbalance_*fed, rest_*gross))
     {
         WarningInFunction
             << "Power of " << imbalance << " [W/m] is out of balance, but "

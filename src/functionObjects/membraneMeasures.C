@@ -61,7 +61,8 @@ void Foam::functionObjects::membraneMeasures::writeMeasures
         << tab << extents(0) << tab << extents(1)
         << tab << stretch.minCoeff() << tab << stretch.maxCoeff()
         << tab << curve.taylorDeformation()
-        << tab << m.elasticEnergy(curve) << tab << m.power(curve) << endl;
+        << tab << m.elasticEnergy(curve)
+        << tab << curve.integral(m.power(curve)) << endl;
 }
 
 

@@ -169,9 +169,12 @@ Foam::scalar Foam::capsule::membrane::elasticEnergy
 }
 
 
-Foam::scalar Foam::capsule::membrane::power(const closedCurve& curve) const
+Foam::capsule::nodalScalars Foam::capsule::membrane::power
+(
+    const closedCurve& curve
+) const
 {
-    return curve.integral(dot(force(curve, curve.metric()), now_.velocity));
+    return dot(force(curve, curve.metric()), now_.velocity);
 }
 
 
