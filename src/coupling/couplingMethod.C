@@ -29,6 +29,8 @@ Foam::capsule::couplingMethod::couplingMethod
     const dictionary& dict,
     const wordList& own
 )
+:
+    conserveArea_(input::getOrDefault<bool>(dict, "conserveArea", true))
 {
     input::permit
     (

@@ -25,6 +25,67 @@ namespace couplingMethods
 }
 }
 
+const Foam::scalar Foam::capsule::couplingMethods::quasiNewton::part_ = 0.03;
+const Foam::label Foam::capsule::couplingMethods::quasiNewton::maxSteps_ = 20;
+const Foam::scalar Foam::capsule::couplingMethods::quasiNewton::fast_ = 0.7;
+const Foam::scalar Foam::capsule::couplingMethods::quasiNewton::least_ = 0.05;
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+    using namespace Foam;
+    using namespace Foam::capsule;
+
+    //- Which derivative of the membranes' forces a Newton step is taken with:
+    //  one found earlier; that at the present answer without what makes waves
+    //  grow; the whole one
+    enum derivative { earlier, stable, whole };
+
+    //- The a that makes |r + R a| least
+    nodalScalars combination(const nodalMatrix& R, const nodalScalars& r)
+    {
+        if (R.cols() == 0)
+        {
+            return nodalScalars(0);
+        }
+
+        // Columns of one length, so that the rank decision compares directions
+        const nodalScalars length =
+            R.colwise().norm().cwiseMax(VSMALL).cwiseInverse();
+        Eigen::ColPivHouseholderQR<nodalMatrix> qr(R*length.asDiagonal());
+        qr.setThreshold(1e-8);
+        return length.cwiseProduct(nodalScalars(qr.solve(-r)));
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::capsule::couplingMethods::quasiNewton::learn
+(
+    const nodalScalars& x,
+    const nodalScalars& y
+)
+{
+    if (lastx_.size() == 0)
+    {
+        dx_.resize(x.size(), 0);
+        dy_.resize(y.size(), 0);
+    }
+    else
+    {
+        const Eigen::Index k = dx_.cols();
+        dx_.conservativeResize(x.size(), k + 1);
+        dy_.conservativeResize(y.size(), k + 1);
+        dx_.col(k) = x - lastx_;
+        dy_.col(k) = y - lasty_;
+    }
+    lastx_ = x;
+    lasty_ = y;
+}
+
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -32,38 +93,64 @@ void Foam::capsule::couplingMethods::quasiNewton::start()
 {
     lastx_.resize(0);
     dx_.resize(0, 0);
-    dr_.resize(0, 0);
+    dy_.resize(0, 0);
 }
 
 
 Foam::capsule::nodalScalars Foam::capsule::couplingMethods::quasiNewton::next
 (
     const nodalScalars& x,
-    const nodalScalars& r
+    stressBalance& balance
 )
 {
-    if (lastx_.size())
+    nodalScalars y = balance.answer();
+    learn(x, y);
+
+    const auto stepAt = [&](const nodalScalars& answer)
     {
-        const Eigen::Index k = dx_.cols();
-        dx_.conservativeResize(x.size(), k + 1);
-        dr_.conservativeResize(x.size(), k + 1);
-        dx_.col(k) = x - lastx_;
-        dr_.col(k) = r - lastr_;
-    }
-    lastx_ = x;
-    lastr_ = r;
-
-    if (dx_.cols() == 0)
+        return nodalScalars(balance.step(balance.balance(answer)));
+    };
+    const auto learnt = [&]()
     {
-        return x + r;
+        return balance.step(balance.balanceChange(dy_));
+    };
+
+    nodalScalars result = x;
+    nodalScalars r = stepAt(y);
+    nodalMatrix R = learnt();
+    derivative known = earlier;
+    scalar left = 1;
+    for (label i = 0; i < maxSteps_ && left > part_; ++i)
+    {
+        const nodalScalars a = combination(R, r);
+        const nodalScalars t = r + R*a;
+        const nodalScalars dy = dy_*a + balance.answerChange(t);
+
+        scalar part = balance.largestPart(dy);
+        nodalScalars next = stepAt(y + part*dy);
+        const auto falls = [&](const scalar wanted)
+        {
+            return next.norm() < (1 - wanted*part)*r.norm();
+        };
+        while (known != earlier && !falls(0.5) && part > least_)
+        {
+            part *= 0.5;
+            next = stepAt(y + part*dy);
+        }
+        if (known != whole && !falls(known == earlier ? fast_ : 0.5))
+        {
+            known = known == earlier ? stable : whole;
+            balance.linearise(y, known == whole);
+            r = stepAt(y);
+            R = learnt();
+            continue;
+        }
+
+        left *= next.norm()/(r.norm() + VSMALL);
+        result += part*(dx_*a + t);
+        y += part*dy;
+        r = next;
+        known = earlier;
     }
-
-    // Columns of one length, so that the rank decision compares directions
-    const nodalScalars length =
-        dr_.colwise().norm().cwiseMax(VSMALL).cwiseInverse();
-    Eigen::ColPivHouseholderQR<nodalMatrix> qr(dr_*length.asDiagonal());
-    qr.setThreshold(1e-8);
-    const nodalScalars a = length.cwiseProduct(nodalScalars(qr.solve(-r)));
-
-    return x + dx_*a + (r + dr_*a);
+    return result;
 }

@@ -30,6 +30,7 @@ namespace capsule
 }
 
 const Foam::scalar Foam::capsule::immersedMembrane::motionWaves_ = 3;
+const Foam::scalar Foam::capsule::immersedMembrane::reach_ = 2;
 
 const Foam::Enum<Foam::capsule::immersedMembrane::levelSetWritten>
 Foam::capsule::immersedMembrane::levelSetNames_
@@ -42,39 +43,45 @@ Foam::capsule::immersedMembrane::levelSetNames_
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::capsule::immersedMembrane::move
+Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::motion
 (
-    const nodalVectors& U,
-    const bool conserveArea
-)
+    const nodalVectors& U
+) const
 {
-    const timeScheme scheme(mesh_, "ddt(membranes)", body_.nOld());
-    membrane::state& now = body_.now();
-
-    now.velocity = moving_*U;
-    if (conserveArea)
+    nodalVectors velocity = moving_*U;
+    if (conserveArea_)
     {
         // The net flux through the membrane that interpolation makes
-        const scalar flux =
-            curve().integral(dot(now.velocity, curve().normal()));
-        now.velocity -= flux/curve().perimeter()*curve().normal();
+        const scalar flux = curve().integral(dot(velocity, curve().normal()));
+        velocity -= flux/curve().perimeter()*curve().normal();
     }
+    return velocity;
+}
 
-    now.x = scheme.c0*body_.old(0).x + now.velocity;
+
+Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::moved
+(
+    const nodalVectors& velocity
+) const
+{
+    const timeScheme scheme(mesh_, "ddt(membranes)", body_.nOld());
+
+    nodalVectors x = scheme.c0*body_.old(0).x + velocity;
     if (scheme.c00 != 0)
     {
-        now.x -= scheme.c00*body_.old(1).x;
+        x -= scheme.c00*body_.old(1).x;
     }
-    now.x /= scheme.c;
+    x /= scheme.c;
 
-    if (conserveArea)
+    if (conserveArea_)
     {
         // What the time scheme leaves
-        const closedCurve moved(body_.basis(), now.x);
-        now.x +=
-            (body_.referenceArea() - moved.area())/moved.perimeter()
-           *moved.normal();
+        const closedCurve curve(body_.basis(), x);
+        x +=
+            (body_.referenceArea() - curve.area())/curve.perimeter()
+           *curve.normal();
     }
+    return x;
 }
 
 
@@ -133,22 +140,21 @@ void Foam::capsule::immersedMembrane::setResponse
     const nodalMatrix& velocity
 )
 {
-    const label n = body_.size();
-    const timeScheme scheme(mesh_, "ddt(membranes)", body_.nOld());
-
+    implicit_ = method.implicitStress();
     explicitForce_ = body_.force(ahead, curve().metric());
+    conserveArea_ = method.conserveArea();
     moving_ = filter(curve(), motionWaves_);
+    fluid_ = fluid;
     velocity_ = velocity;
-
-    nodalMatrix derivative = fluid;
-    if (method.usesResponse() && method.implicitStress())
+    if (implicit_ && method.usesResponse())
     {
-        nodalMatrix displacement(2*n, 2*n);
-        displacement <<
-            moving_*velocity_.topRows(n), moving_*velocity_.bottomRows(n);
-        derivative -= body_.forceJacobian(curve())*displacement/scheme.c;
+        displacement_ = displacements(velocity_);
+        linearise(curve(), false);
     }
-    balance_.compute(derivative);
+    else
+    {
+        balance_.compute(fluid_);
+    }
 }
 
 
@@ -165,6 +171,8 @@ Foam::capsule::immersedMembrane::immersedMembrane
 )
 :
     levelSet_(levelSetWritten::near),
+    conserveArea_(true),
+    implicit_(true),
     mesh_(mesh),
     plane_(plane),
     rho_(density),
@@ -255,31 +263,32 @@ Foam::capsule::immersedMembrane::correct
 (
     const volVectorField& U,
     const volScalarField& p,
-    const vector2& driving,
-    const couplingMethod& method,
-    const bool conserveArea
+    const vector2& driving
 )
 {
-    move(velocity(U, p), conserveArea);
+    const label n = body_.size();
+    membrane::state& now = body_.now();
 
-    // Balance of stress at the points moved
-    const membrane::state& now = body_.now();
-    const nodalVectors F =
-        method.implicitStress()
-      ? body_.force(body_.curve(), curve().metric())
-      : explicitForce_;
-    const nodalVectors balance = F - now.force + contrastForce(driving);
+    const nodalVectors fluid = velocity(U, p);
+    now.velocity = motion(fluid);
+    now.x = moved(now.velocity);
 
-    const timeScheme scheme(mesh_, "ddt(membranes)", body_.nOld());
+    const nodalVectors rest = contrastForce(driving) - now.force;
+    const nodalScalars other = otherBalance();
+    answer_.resize(4*n + other.size());
+    answer_ << stacked(fluid), stacked(rest), other;
+
+    const nodalScalars imbalance = balance(answer_);
+    const nodalVectors F = unstacked(imbalance.head(2*n)) - rest;
     const scalar size =
         rms(F) + 0.5*(1 + ratio_)*mu_*rms(curve().ds(now.velocity)) + VSMALL;
-    const nodalScalars df = balance_.solve(stacked(balance));
+    const nodalScalars change = step(imbalance);
+    const timeScheme scheme(mesh_, "ddt(membranes)", body_.nOld());
 
     correction result;
-    result.step = step(df);
-    result.stress = rms(unstacked(result.step))/size;
+    result.stress = rms(unstacked(change))/size;
     result.displacement =
-        unstacked(velocity_*df).rowwise().norm().maxCoeff()
+        unstacked(velocity_*change.head(2*n)).rowwise().norm().maxCoeff()
        /(scheme.c*distance().width());
     return result;
 }

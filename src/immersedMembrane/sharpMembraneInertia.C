@@ -140,33 +140,24 @@ Foam::capsule::sharpMembrane::pressureLaplacian() const
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::step
+Foam::scalar Foam::capsule::sharpMembrane::feedback() const
+{
+    return 0.15/lowerViscousNumber();
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::relaxedForce
 (
     const nodalScalars& df
 ) const
 {
-    if (!inertial())
-    {
-        return df;
-    }
-
-    // What a velocity feeds back on itself through m, for a first iterate
-    const scalar feedback = 0.15/lowerViscousNumber();
-
-    // The viscous force is relaxed, so m.t makes up for a change of d(f.n)/ds
     const nodalVectors f = resolved(curve(), resolving_, unstacked(df));
     const nodalScalars along =
-        (1 - relaxation())*(resolving_*curve().ds(dot(f, curve().normal())));
+        resolving_*curve().ds(dot(f, curve().normal()));
 
-    nodalScalars result(2*df.size());
-    result <<
-        df,
-        distance().width()*stacked
-        (
-            (inertia() - body_.now().inertia)/(1 + feedback)
-          - scaled(along, curve().tangent())
-        );
-    return result;
+    return
+        distance().width()*(1 - relaxation())
+       *stacked(scaled(along, curve().tangent()));
 }
 
 
@@ -198,6 +189,42 @@ Foam::capsule::vector2 Foam::capsule::sharpMembrane::momentumRate() const
         rate += scheme.c00*flow(body_.old(1));
     }
     return rho_*rate;
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::otherBalance() const
+{
+    if (!inertial())
+    {
+        return nodalScalars(0);
+    }
+    return distance().width()*stacked(inertia() - body_.now().inertia);
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::otherStep
+(
+    const nodalScalars& df,
+    const nodalScalars& balance
+) const
+{
+    return balance/(1 + feedback()) - relaxedForce(df);
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::otherChange
+(
+    const nodalScalars& dx
+) const
+{
+    if (!inertial())
+    {
+        return nodalScalars(0);
+    }
+    const label n = dx.size()/2;
+    return -(1 + feedback())*(dx.tail(n) + relaxedForce(dx.head(n)));
 }
 
 

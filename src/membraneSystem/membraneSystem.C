@@ -107,18 +107,14 @@ void Foam::capsule::membraneSystem::correct()
     addProfiling(correct, "capsule::membraneSystem::correct");
 
     const vector2 driving = plane_(driving_.force());
-    nodalScalars step(unknowns_.size());
     scalar stress = 0;
     scalar displacement = 0;
     scalar offset = 0;
-    label start = 0;
 
     for (immersedMembrane& m : parts_)
     {
         const immersedMembrane::correction found =
-            m.correct(U_, scaledPressure(), driving, *method_, conserveArea_);
-        step.segment(start, found.step.size()) = found.step;
-        start += found.step.size();
+            m.correct(U_, scaledPressure(), driving);
         stress = max(stress, found.stress);
         displacement = max(displacement, found.displacement);
         offset = max(offset, m.offset());
@@ -147,8 +143,8 @@ void Foam::capsule::membraneSystem::correct()
 
     if (!converged_ && iter_ < maxIter_)
     {
-        unknowns_ = method_->next(unknowns_, step);
-        start = 0;
+        unknowns_ = method_->next(unknowns_, *balance_);
+        label start = 0;
         for (immersedMembrane& m : parts_)
         {
             const label n = m.unknowns().size();

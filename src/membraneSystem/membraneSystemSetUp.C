@@ -219,10 +219,6 @@ Foam::capsule::membraneSystem::membraneSystem
             subDict("coupling"), "maxIter", 30, 1, 10000
         )
     ),
-    conserveArea_
-    (
-        input::getOrDefault<bool>(subDict("coupling"), "conserveArea", true)
-    ),
     iter_(0),
     converged_(true),
     placed_(false)
@@ -242,6 +238,12 @@ Foam::capsule::membraneSystem::membraneSystem
     }
 
     readMembranes();
+    UPtrList<stressBalance> balances(size());
+    forAll(parts_, i)
+    {
+        balances.set(i, &parts_[i]);
+    }
+    balance_.reset(new balanceOfAll(balances));
     if (size())
     {
         fields_.reset(new fields(mesh_));

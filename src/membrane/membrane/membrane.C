@@ -198,16 +198,17 @@ Foam::capsule::nodalVectors Foam::capsule::membrane::force
 
 Foam::capsule::nodalMatrix Foam::capsule::membrane::forceJacobian
 (
-    const closedCurve& curve
+    const closedCurve& curve,
+    const bool whole
 ) const
 {
-    // d(T t) = [(dT/ds/g_ref - T/g) t t + T/g I] dx', less what a membrane in
-    // compression loses by turning: so no wave is made to grow
+    // d(T t) = [(dT/ds/g_ref - T/g) t t + T/g I] dx'
     const label n = size();
     const nodalScalars t = tension(curve);
     const nodalScalars along =
         law_->stiffness(stretch(curve)).cwiseQuotient(referenceMetric_);
-    const nodalScalars turning = t.cwiseMax(0).cwiseQuotient(curve.metric());
+    const nodalScalars turning =
+        (whole ? t : nodalScalars(t.cwiseMax(0))).cwiseQuotient(curve.metric());
     const nodalMatrix& d = basis_->derivative();
     const nodalScalars perLength = curve.metric().cwiseInverse();
 
