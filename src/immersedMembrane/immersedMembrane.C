@@ -29,7 +29,6 @@ namespace capsule
 }
 }
 
-const Foam::scalar Foam::capsule::immersedMembrane::motionWaves_ = 3;
 const Foam::scalar Foam::capsule::immersedMembrane::reach_ = 2;
 
 const Foam::Enum<Foam::capsule::immersedMembrane::levelSetWritten>
@@ -39,50 +38,6 @@ Foam::capsule::immersedMembrane::levelSetNames_
     { levelSetWritten::near, "near" },
     { levelSetWritten::whole, "whole" },
 });
-
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::motion
-(
-    const nodalVectors& U
-) const
-{
-    nodalVectors velocity = moving_*U;
-    if (conserveArea_)
-    {
-        // The net flux through the membrane that interpolation makes
-        const scalar flux = curve().integral(dot(velocity, curve().normal()));
-        velocity -= flux/curve().perimeter()*curve().normal();
-    }
-    return velocity;
-}
-
-
-Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::moved
-(
-    const nodalVectors& velocity
-) const
-{
-    const timeScheme scheme(mesh_, "ddt(membranes)", body_.nOld());
-
-    nodalVectors x = scheme.c0*body_.old(0).x + velocity;
-    if (scheme.c00 != 0)
-    {
-        x -= scheme.c00*body_.old(1).x;
-    }
-    x /= scheme.c;
-
-    if (conserveArea_)
-    {
-        // What the time scheme leaves
-        const closedCurve curve(body_.basis(), x);
-        x +=
-            (body_.referenceArea() - curve.area())/curve.perimeter()
-           *curve.normal();
-    }
-    return x;
-}
 
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
@@ -140,15 +95,24 @@ void Foam::capsule::immersedMembrane::setResponse
     const nodalMatrix& velocity
 )
 {
+    motion_.reset
+    (
+        new membraneMotion
+        (
+            body_,
+            curve(),
+            filter(curve(), membraneMotion::waves),
+            timeScheme(mesh_, "ddt(membranes)", body_.nOld()),
+            method.conserveArea()
+        )
+    );
     implicit_ = method.implicitStress();
     explicitForce_ = body_.force(ahead, curve().metric());
-    conserveArea_ = method.conserveArea();
-    moving_ = filter(curve(), motionWaves_);
     fluid_ = fluid;
     velocity_ = velocity;
     if (implicit_ && method.usesResponse())
     {
-        displacement_ = displacements(velocity_);
+        displacement_ = motion_->displacements(velocity_);
         linearise(curve(), false);
     }
     else
@@ -171,7 +135,6 @@ Foam::capsule::immersedMembrane::immersedMembrane
 )
 :
     levelSet_(levelSetWritten::near),
-    conserveArea_(true),
     implicit_(true),
     mesh_(mesh),
     plane_(plane),
@@ -270,8 +233,8 @@ Foam::capsule::immersedMembrane::correct
     membrane::state& now = body_.now();
 
     const nodalVectors fluid = velocity(U, p);
-    now.velocity = motion(fluid);
-    now.x = moved(now.velocity);
+    now.velocity = motion_->velocity(fluid);
+    now.x = motion_->points(now.velocity);
 
     const nodalVectors rest = contrastForce(driving) - now.force;
     const nodalScalars other = otherBalance();
@@ -283,13 +246,10 @@ Foam::capsule::immersedMembrane::correct
     const scalar size =
         rms(F) + 0.5*(1 + ratio_)*mu_*rms(curve().ds(now.velocity)) + VSMALL;
     const nodalScalars change = step(imbalance);
-    const timeScheme scheme(mesh_, "ddt(membranes)", body_.nOld());
 
     correction result;
     result.stress = rms(unstacked(change))/size;
-    result.displacement =
-        unstacked(velocity_*change.head(2*n)).rowwise().norm().maxCoeff()
-       /(scheme.c*distance().width());
+    result.displacement = cells(velocity_*change.head(2*n));
     return result;
 }
 

@@ -8,67 +8,23 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "immersedMembrane.H"
-#include "timeScheme.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-    using namespace Foam;
-    using namespace Foam::capsule;
-
-    //- Derivative of the area by the points of a curve, components stacked
-    Eigen::Matrix<scalar, 1, Eigen::Dynamic> areaDerivative
-    (
-        const closedCurve& curve
-    )
-    {
-        return
-            curve.basis().spacing()
-           *stacked(scaled(curve.metric(), curve.normal())).transpose();
-    }
-
-    //- Displacement along the normal that changes the area by one
-    nodalScalars shift(const closedCurve& curve)
-    {
-        return stacked(curve.normal())/curve.perimeter();
-    }
-}
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::displacements
-(
-    const nodalMatrix& U
-) const
-{
-    const timeScheme scheme(mesh_, "ddt(membranes)", body_.nOld());
-    const label n = body_.size();
-
-    nodalMatrix result(2*n, U.cols());
-    result << moving_*U.topRows(n), moving_*U.bottomRows(n);
-    if (conserveArea_)
-    {
-        result -= shift(curve())*(areaDerivative(curve())*result);
-    }
-    return result/scheme.c;
-}
-
-
-Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::force
+Foam::capsule::closedCurve Foam::capsule::immersedMembrane::moved
 (
     const nodalVectors& U
 ) const
 {
-    return
-        implicit_
-      ? body_.force
-        (
-            closedCurve(body_.basis(), moved(motion(U))),
-            curve().metric()
-        )
-      : explicitForce_;
+    return closedCurve(body_.basis(), motion_->points(motion_->velocity(U)));
+}
+
+
+Foam::scalar Foam::capsule::immersedMembrane::cells(const nodalScalars& U) const
+{
+    const nodalVectors d = unstacked(motion_->displacements(U));
+
+    return d.rowwise().norm().maxCoeff()/distance().width();
 }
 
 
@@ -83,10 +39,7 @@ void Foam::capsule::immersedMembrane::linearise
         at.metric().cwiseQuotient(curve().metric()).replicate(2, 1);
 
     forceJacobian_ = length.asDiagonal()*body_.forceJacobian(at, whole);
-    if (conserveArea_)
-    {
-        forceJacobian_ -= (forceJacobian_*shift(at))*areaDerivative(at);
-    }
+    motion_->restoreArea(at, forceJacobian_);
     balance_.compute(fluid_ - forceJacobian_*displacement_);
 }
 
@@ -101,7 +54,12 @@ Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::balance
     const label n = 2*body_.size();
 
     nodalScalars result = y.tail(y.size() - n);
-    result.head(n) += stacked(force(unstacked(y.head(n))));
+    result.head(n) += stacked
+    (
+        implicit_
+      ? body_.force(moved(unstacked(y.head(n))), curve().metric())
+      : explicitForce_
+    );
     return result;
 }
 
@@ -114,8 +72,7 @@ void Foam::capsule::immersedMembrane::linearise
 {
     if (implicit_)
     {
-        const nodalVectors U = unstacked(y.head(2*body_.size()));
-        linearise(closedCurve(body_.basis(), moved(motion(U))), whole);
+        linearise(moved(unstacked(y.head(2*body_.size()))), whole);
     }
 }
 
@@ -125,12 +82,7 @@ Foam::scalar Foam::capsule::immersedMembrane::largestPart
     const nodalScalars& dy
 ) const
 {
-    const nodalVectors d =
-        unstacked(displacements(dy.head(2*body_.size())));
-    const scalar cells =
-        d.rowwise().norm().maxCoeff()/distance().width();
-
-    return cells > reach_ ? reach_/cells : 1;
+    return reach_/max(reach_, cells(dy.head(2*body_.size())));
 }
 
 
@@ -144,7 +96,7 @@ Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::balanceChange
     nodalMatrix result = dy.bottomRows(dy.rows() - n);
     if (implicit_)
     {
-        result.topRows(n) += forceJacobian_*displacements(dy.topRows(n));
+        result.topRows(n) += forceJacobian_*motion_->displacements(dy.topRows(n));
     }
     return result;
 }

@@ -1,0 +1,124 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+\*---------------------------------------------------------------------------*/
+
+#include "membraneMotion.H"
+
+const Foam::scalar Foam::capsule::membraneMotion::waves = 3;
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::capsule::nodalMatrix Foam::capsule::membraneMotion::areaDerivative
+(
+    const closedCurve& curve
+)
+{
+    return
+        curve.basis().spacing()
+       *stacked(scaled(curve.metric(), curve.normal())).transpose();
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::membraneMotion::shift
+(
+    const closedCurve& curve
+)
+{
+    return stacked(curve.normal())/curve.perimeter();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::membraneMotion::membraneMotion
+(
+    const membrane& body,
+    const closedCurve& interface,
+    const nodalMatrix& filter,
+    const timeScheme& scheme,
+    const bool conserveArea
+)
+:
+    body_(body),
+    interface_(interface),
+    scheme_(scheme),
+    conserveArea_(conserveArea),
+    filter_(filter)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::capsule::nodalVectors Foam::capsule::membraneMotion::velocity
+(
+    const nodalVectors& U
+) const
+{
+    nodalVectors result = filter_*U;
+    if (conserveArea_)
+    {
+        const scalar flux =
+            interface_.integral(dot(result, interface_.normal()));
+        result -= flux/interface_.perimeter()*interface_.normal();
+    }
+    return result;
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::membraneMotion::points
+(
+    const nodalVectors& velocity
+) const
+{
+    nodalVectors x = scheme_.c0*body_.old(0).x + velocity;
+    if (scheme_.c00 != 0)
+    {
+        x -= scheme_.c00*body_.old(1).x;
+    }
+    x /= scheme_.c;
+
+    if (conserveArea_)
+    {
+        const closedCurve curve(body_.basis(), x);
+        x +=
+            (body_.referenceArea() - curve.area())/curve.perimeter()
+           *curve.normal();
+    }
+    return x;
+}
+
+
+Foam::capsule::nodalMatrix Foam::capsule::membraneMotion::displacements
+(
+    const nodalMatrix& U
+) const
+{
+    const label n = body_.size();
+
+    nodalMatrix result(2*n, U.cols());
+    result << filter_*U.topRows(n), filter_*U.bottomRows(n);
+    if (conserveArea_)
+    {
+        result -= shift(interface_)*(areaDerivative(interface_)*result);
+    }
+    return result/scheme_.c;
+}
+
+
+void Foam::capsule::membraneMotion::restoreArea
+(
+    const closedCurve& at,
+    nodalMatrix& derivative
+) const
+{
+    if (conserveArea_)
+    {
+        derivative -= (derivative*shift(at))*areaDerivative(at);
+    }
+}
