@@ -5,6 +5,7 @@
 License
     This file is part of capsuleFoam, free software under the GNU General
     Public License, version 3 or later: see the file LICENSE.
+
 \*---------------------------------------------------------------------------*/
 
 #include "balanceOfAll.H"
