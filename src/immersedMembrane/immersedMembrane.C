@@ -117,7 +117,7 @@ void Foam::capsule::immersedMembrane::setResponse
     }
     else
     {
-        balance_.compute(fluid_);
+        derivative_.compute(fluid_);
     }
 }
 
@@ -206,6 +206,9 @@ Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted
 void Foam::capsule::immersedMembrane::restore()
 {
     body_.restore();
+
+    // Its curve goes with the interface
+    motion_.clear();
 }
 
 

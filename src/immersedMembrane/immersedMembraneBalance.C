@@ -41,7 +41,7 @@ void Foam::capsule::immersedMembrane::linearise
 
     forceJacobian_ = length.asDiagonal()*body_.forceJacobian(at, whole);
     motion_->restoreArea(at, forceJacobian_);
-    balance_.compute(fluid_ - forceJacobian_*displacement_);
+    derivative_.compute(fluid_ - forceJacobian_*displacement_);
 }
 
 
@@ -112,7 +112,7 @@ Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::step
     const label others = balance.rows() - n;
 
     nodalMatrix result(balance.rows(), balance.cols());
-    result.topRows(n) = balance_.solve(balance.topRows(n));
+    result.topRows(n) = derivative_.solve(balance.topRows(n));
     for (label j = 0; others && j < balance.cols(); ++j)
     {
         result.col(j).tail(others) =

@@ -238,15 +238,16 @@ Foam::capsule::membraneSystem::membraneSystem
     }
 
     readMembranes();
-    UPtrList<stressBalance> balances(size());
-    forAll(parts_, i)
-    {
-        balances.set(i, &parts_[i]);
-    }
-    balance_.reset(new balanceOfAll(balances));
     if (size())
     {
         fields_.reset(new fields(mesh_));
+
+        UPtrList<stressBalance> balances(size());
+        forAll(parts_, i)
+        {
+            balances.set(i, &parts_[i]);
+        }
+        balance_.reset(new balanceOfAll(balances));
     }
     bool scaled = false;
     for (immersedMembrane& m : parts_)

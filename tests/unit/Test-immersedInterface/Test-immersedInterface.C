@@ -32,71 +32,10 @@ Usage
 #include "oneSidedFit.H"
 #include "freeSpaceResponse.H"
 #include "quasiNewton.H"
+#include "linearBalance.H"
 
 using namespace Foam;
 using namespace Foam::capsule;
-
-//- A balance that the fluid answers with, of a derivative expected beforehand
-class linearBalance
-:
-    public stressBalance
-{
-    const nodalMatrix derivative_;
-    const Eigen::PartialPivLU<nodalMatrix> inverse_;
-    nodalScalars left_;
-
-public:
-
-    explicit linearBalance(const nodalMatrix& derivative)
-    :
-        derivative_(derivative),
-        inverse_(derivative)
-    {}
-
-    void set(const nodalScalars& left)
-    {
-        left_ = left;
-    }
-
-    virtual label nUnknowns() const
-    {
-        return derivative_.rows();
-    }
-
-    virtual nodalScalars answer() const
-    {
-        return left_;
-    }
-
-    virtual nodalScalars balance(const nodalScalars& y) const
-    {
-        return y;
-    }
-
-    virtual void linearise(const nodalScalars&, const bool)
-    {}
-
-    virtual scalar largestPart(const nodalScalars&) const
-    {
-        return 1;
-    }
-
-    virtual nodalMatrix balanceChange(const nodalMatrix& dy) const
-    {
-        return dy;
-    }
-
-    virtual nodalMatrix step(const nodalMatrix& balance) const
-    {
-        return inverse_.solve(balance);
-    }
-
-    virtual nodalScalars answerChange(const nodalScalars& dx) const
-    {
-        return -(derivative_*dx);
-    }
-};
-
 
 //- Exact solution of one mode, R = 1, viscosity 1 outside and lambda inside
 struct modeFlow
