@@ -92,10 +92,12 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastForce
     pressure += scale_*n*a.transpose();
     if (ratio_ > 1 && !inertial())
     {
-        // So is the moment; shear along the membrane fills it
+        // So is the moment about the centroid, which the rate of momentum does
+        // not change; shear along the membrane fills it
         const auto moment = [&](const nodalVectors& v)
         {
-            const nodalVectors& x = curve().nodes();
+            const nodalVectors x =
+                curve().nodes().rowwise() - curve().centroid();
             return curve().integral
             (
                 x.col(0).cwiseProduct(v.col(1))

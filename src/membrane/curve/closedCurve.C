@@ -23,7 +23,9 @@ Foam::capsule::closedCurve::closedCurve
     x_(x),
     coeffs_(basis.analysis()*x)
 {
-    const nodalVectors x1 = basis.derivative()*x;
+    // About the mean: nothing is lost far from the origin
+    const nodalVectors x1 =
+        basis.derivative()*(x.rowwise() - x.colwise().mean());
     const nodalVectors x2 = basis.derivative()*x1;
 
     g_ = x1.rowwise().norm();
@@ -45,43 +47,38 @@ Foam::capsule::closedCurve::closedCurve
 
 Foam::scalar Foam::capsule::closedCurve::area() const
 {
-    return 0.5*integral(dot(x_, n_));
+    return 0.5*integral(dot(x_.rowwise() - x_.colwise().mean(), n_));
 }
 
 
 Foam::capsule::vector2 Foam::capsule::closedCurve::centroid() const
 {
-    // Divergence theorem for x^2/2 and y^2/2, about the mean of the nodes so
-    // that a curve far from the origin loses no digits
+    // Divergence theorem for x_i x/3, about the mean of the nodes so that a
+    // curve far from the origin loses no digits; the same however it is turned
     const vector2 origin = x_.colwise().mean();
     const nodalVectors d = x_.rowwise() - origin;
-    const scalar a = 0.5*integral(dot(d, n_));
-
-    vector2 c;
-    for (label i = 0; i < 2; ++i)
-    {
-        c(i) = integral
-        (
-            (0.5*d.col(i).array().square()*n_.col(i).array()).matrix()
-        )/a;
-    }
-    return origin + c;
+    const nodalScalars dn = dot(d, n_);
+    const scalar a = 0.5*integral(dn);
+    return origin + vector2
+    (
+        integral(d.col(0).cwiseProduct(dn)),
+        integral(d.col(1).cwiseProduct(dn))
+    )/(3*a);
 }
 
 
 Eigen::Matrix<Foam::scalar, 3, 1>
 Foam::capsule::closedCurve::secondMoments() const
 {
-    const vector2 c = centroid();
-    const Eigen::Array<scalar, Eigen::Dynamic, 1> x = x_.col(0).array() - c(0);
-    const Eigen::Array<scalar, Eigen::Dynamic, 1> y = x_.col(1).array() - c(1);
-
-    return Eigen::Matrix<scalar, 3, 1>
-    (
-        integral((x.cube()*n_.col(0).array()/3).matrix()),
-        integral((x.square()*y*n_.col(0).array()/2).matrix()),
-        integral((y.cube()*n_.col(1).array()/3).matrix())
-    );
+    // Divergence theorem for x_i x_j x/4
+    const nodalVectors d = x_.rowwise() - centroid();
+    const nodalScalars dn = dot(d, n_)/4;
+    const auto moment = [&](const label i, const label j)
+    {
+        return
+            integral(d.col(i).cwiseProduct(d.col(j)).cwiseProduct(dn));
+    };
+    return Eigen::Matrix<scalar, 3, 1>(moment(0, 0), moment(0, 1), moment(1, 1));
 }
 
 
