@@ -16,6 +16,7 @@ import os
 import re
 import resource
 import shutil
+import signal
 import subprocess
 import sys
 import threading
@@ -278,8 +279,10 @@ def run(directory, m, timeout):
         with open(path, 'w', encoding='latin-1') as f:
             f.write(m.text)
     try:
+        # Processor time, which a busy machine does not change; and a lock waits for ever
         done = subprocess.run(['capsuleFoam', '-dry-run'], cwd=directory, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=timeout,
+                              stderr=subprocess.STDOUT, timeout=20*timeout,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (timeout, timeout)),
                               env=dict(os.environ, PWD=os.path.abspath(directory)))
         log = done.stdout.decode('latin-1')
         code = done.returncode
@@ -294,6 +297,8 @@ def run(directory, m, timeout):
         return 'dry run writes', log
     if re.search(r'AddressSanitizer|^(?!.*%s).*runtime error:' % OPENFOAMS, log, re.M):
         return 'sanitizer', log
+    if code == -signal.SIGXCPU or code == -signal.SIGKILL:
+        return 'hangs', log
     if code < 0 or code >= 128 or 'sigFpe::' in log or 'sigSegv::' in log:
         return 'signal %d' % code, log
     if re.search('The membranes of .* diverge', log):
@@ -321,7 +326,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('cases')
     parser.add_argument('-only', default='')
-    parser.add_argument('-timeout', type=float, default=20)
+    parser.add_argument('-timeout', type=int, default=20)
     args = parser.parse_args()
 
     def read(file, case='case'):
