@@ -116,10 +116,17 @@ void Foam::functionObjects::extraPressureDrop::readPatches
                 << "Entry type: " << type() << " of a driven flow needs a mesh"
                 << " that is periodic in one direction" << exit(FatalIOError);
         }
-        checkAtRest(mesh_.lookupObject<volVectorField>("U"));
+        checkAtRest(dict);
         return;
     }
 
+    if (!named && membranes().plane().periods().size())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entries inlet and outlet are missing; only a flow that"
+            << " constant/drivingForce drives goes without them"
+            << exit(FatalIOError);
+    }
     inlet_ = patch(dict, "inlet");
     outlet_ = patch(dict, "outlet");
     if (inlet_ == outlet_)
@@ -173,19 +180,19 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::flux
 
 void Foam::functionObjects::extraPressureDrop::checkAtRest
 (
-    const volVectorField& U
+    const dictionary& dict
 ) const
 {
+    const auto& U = mesh_.lookupObject<volVectorField>("U");
     forAll(U.boundaryField(), patchi)
     {
         const fvPatchVectorField& boundary = U.boundaryField()[patchi];
         if (!boundary.coupled() && gSum(mag(boundary)) > 0)
         {
-            FatalErrorInFunction
-                << "Patch " << boundary.patch().name() << " moves, by "
-                << U.objectPath() << "; the function object " << name()
-                << " of a driven flow needs boundaries at rest"
-                << exit(FatalError);
+            FatalIOErrorInFunction(dict)
+                << "Entry type: " << type() << " of a driven flow needs"
+                << " boundaries at rest, but " << boundary.patch().name()
+                << " moves, see " << U.objectPath() << exit(FatalIOError);
         }
     }
 }
