@@ -37,6 +37,37 @@ namespace functionObjects
 }
 
 
+// * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+
+//- A given force per volume
+class givenForce
+:
+    public capsule::drivingForce
+{
+    const vector force_;
+
+public:
+
+    explicit givenForce(const vector& force)
+    :
+        force_(force)
+    {}
+
+    virtual vector force() const
+    {
+        return force_;
+    }
+};
+
+} // End namespace functionObjects
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::label Foam::functionObjects::extraPressureDrop::patch
@@ -64,6 +95,63 @@ Foam::label Foam::functionObjects::extraPressureDrop::patch
 }
 
 
+void Foam::functionObjects::extraPressureDrop::readPatches
+(
+    const dictionary& dict
+)
+{
+    const bool named = dict.found("inlet") || dict.found("outlet");
+    if (membranes().driving().type() != capsule::drivingForce::typeName)
+    {
+        if (named)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entries inlet and outlet are not for a flow that"
+                << " constant/drivingForce drives; without them the drop is"
+                << " that over the period of the mesh" << exit(FatalIOError);
+        }
+        if (membranes().plane().periods().size() != 1)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry type: " << type() << " of a driven flow needs a mesh"
+                << " that is periodic in one direction" << exit(FatalIOError);
+        }
+        checkAtRest(dict);
+        return;
+    }
+
+    if (!named && membranes().plane().periods().size())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entries inlet and outlet are missing; only a flow that"
+            << " constant/drivingForce drives goes without them"
+            << exit(FatalIOError);
+    }
+    inlet_ = patch(dict, "inlet");
+    outlet_ = patch(dict, "outlet");
+    if (inlet_ == outlet_)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entries inlet and outlet are the same patch; they must differ"
+            << exit(FatalIOError);
+    }
+}
+
+
+const Foam::capsule::membraneSystem&
+Foam::functionObjects::extraPressureDrop::membranes() const
+{
+    return mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
+}
+
+
+Foam::vector Foam::functionObjects::extraPressureDrop::period() const
+{
+    const capsule::meshPlane& plane = membranes().plane();
+    return plane.toVector(plane.periods()[0]);
+}
+
+
 Foam::scalar Foam::functionObjects::extraPressureDrop::drop
 (
     const volScalarField& p
@@ -75,6 +163,67 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::drop
         return gSum(p.boundaryField()[patchi]*area)/gSum(area);
     };
     return average(inlet_) - average(outlet_);
+}
+
+
+Foam::scalar Foam::functionObjects::extraPressureDrop::flux
+(
+    const volVectorField& U
+) const
+{
+    const vector e = period();
+    return
+        (e & gSum(vectorField(mesh_.V().field()*U.primitiveField())))
+       /magSqr(e);
+}
+
+
+void Foam::functionObjects::extraPressureDrop::checkAtRest
+(
+    const dictionary& dict
+) const
+{
+    const auto& U = mesh_.lookupObject<volVectorField>("U");
+    forAll(U.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& boundary = U.boundaryField()[patchi];
+        if (!boundary.coupled() && gSum(mag(boundary)) > 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry type: " << type() << " of a driven flow needs"
+                << " boundaries at rest, but " << boundary.patch().name()
+                << " moves, see " << U.objectPath() << exit(FatalIOError);
+        }
+    }
+}
+
+
+bool Foam::functionObjects::extraPressureDrop::setDeveloped()
+{
+    volVectorField& U = *emptyU_;
+    volScalarField& p = *emptyp_;
+    const fvPatch& outlet = mesh_.boundary()[outlet_];
+    const fvPatchVectorField& outflow = U.boundaryField()[outlet_];
+    const bool follows =
+        isA<extrapolatedOutletFvPatchVectorField>(outflow)
+     || !outflow.fixesValue();
+    if (!follows || p.boundaryField()[outlet_].fixesValue())
+    {
+        return false;
+    }
+
+    U.boundaryFieldRef().set
+    (
+        outlet_,
+        new zeroGradientFvPatchVectorField(outlet, U)
+    );
+    p.boundaryFieldRef().set
+    (
+        outlet_,
+        new fixedValueFvPatchScalarField(outlet, p)
+    );
+    p.boundaryFieldRef()[outlet_] == 0;
+    return true;
 }
 
 
@@ -96,31 +245,11 @@ void Foam::functionObjects::extraPressureDrop::solveEmpty()
     volVectorField& U = *emptyU_;
     volScalarField& p = *emptyp_;
 
-    // The result must not depend on the time: not from the present flow, and
-    // at an outlet whose velocity follows the flow, the developed profile
+    // The result must not depend on the time: not on the present flow, and at
+    // an outlet not on what follows it
     U.primitiveFieldRef() = Zero;
     p.primitiveFieldRef() = Zero;
-    const fvPatch& outlet = mesh_.boundary()[outlet_];
-    const fvPatchVectorField& outflow = U.boundaryField()[outlet_];
-    const bool follows =
-        isA<extrapolatedOutletFvPatchVectorField>(outflow)
-     || !outflow.fixesValue();
-    const bool developed =
-        follows && !p.boundaryField()[outlet_].fixesValue();
-    if (developed)
-    {
-        U.boundaryFieldRef().set
-        (
-            outlet_,
-            new zeroGradientFvPatchVectorField(outlet, U)
-        );
-        p.boundaryFieldRef().set
-        (
-            outlet_,
-            new fixedValueFvPatchScalarField(outlet, p)
-        );
-        p.boundaryFieldRef()[outlet_] == 0;
-    }
+    const bool developed = !driven() && setDeveloped();
     surfaceScalarField phi("emptyPhi", fvc::flux(U));
 
     Info<< type() << ' ' << name() << ": empty channel" << endl;
@@ -133,21 +262,35 @@ void Foam::functionObjects::extraPressureDrop::solveEmpty()
     );
     const fvVectorMatrix UEqn(-fvm::laplacian(mu, U));
     flow->begin(UEqn);
-    flow->solve(UEqn, nullptr);
-
-    if (developed)
+    if (driven())
     {
-        // As the pressure of the flow is taken there
-        p.boundaryFieldRef()[outlet_] ==
-            scalarField(p.boundaryField()[outlet_].patchInternalField());
+        givenForce driving(membranes().driving().force());
+        flow->solve(UEqn, nullptr, driving);
+        emptyDrop_ = driving.force() & period();
+        flux_ = flux(U);
     }
-    emptyDrop_ = drop(p);
-    flux_ = gSum(phi.boundaryField()[outlet_]);
+    else
+    {
+        flow->solve(UEqn, nullptr);
+        if (developed)
+        {
+            // As the pressure of the flow is taken there
+            p.boundaryFieldRef()[outlet_] ==
+                scalarField(p.boundaryField()[outlet_].patchInternalField());
+        }
+        emptyDrop_ = drop(p);
+        flux_ = gSum(phi.boundaryField()[outlet_]);
+    }
     if (!(mag(flux_) > SMALL*gSum(mag(phi.primitiveField()))))
     {
         FatalIOErrorInFunction(mesh_.time().controlDict())
-            << "Entry outlet of the function object " << name() << " is "
-            << mesh_.boundary()[outlet_].name() << ", which has no flux"
+            << "The channel of the function object " << name() << " has no"
+            << " flux: "
+            << (
+                   driven()
+                 ? string("nothing drives it, see constant/drivingForce")
+                 : "entry outlet is " + mesh_.boundary()[outlet_].name()
+               ).c_str()
             << exit(FatalIOError);
     }
 }
@@ -155,11 +298,16 @@ void Foam::functionObjects::extraPressureDrop::solveEmpty()
 
 Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
 {
-    const auto& system =
-        mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
+    const capsule::membraneSystem& system = membranes();
 
     using capsule::dot;
     using capsule::nodalVectors;
+
+    // Mean gradient of the empty channel, which its pressure is without
+    const capsule::vector2 mean =
+        driven()
+      ? system.plane()(vector(-emptyDrop_/magSqr(period())*period()))
+      : capsule::vector2(0, 0);
 
     scalar power = 0;
     for (label i = 0; i < system.size(); ++i)
@@ -175,12 +323,18 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
 
         const capsule::oneSidedFit::fitted empty =
             system.fit(i).smooth(*emptyU_, *emptyp_);
+        nodalVectors traction = empty.traction(n, mu_);
+        traction -= capsule::scaled
+        (
+            (curve.nodes().rowwise() - curve.centroid())*mean.transpose(),
+            n
+        );
 
         power +=
             system.plane().thickness()
            *curve.integral
             (
-                (m.viscosity()/mu_ - 1)*dot(U, empty.traction(n, mu_))
+                (m.viscosity()/mu_ - 1)*dot(U, traction)
               - dot(F, empty.value.leftCols(2))
             );
     }
@@ -221,14 +375,7 @@ Foam::functionObjects::extraPressureDrop::extraPressureDrop
 
 bool Foam::functionObjects::extraPressureDrop::read(const dictionary& dict)
 {
-    inlet_ = patch(dict, "inlet");
-    outlet_ = patch(dict, "outlet");
-    if (inlet_ == outlet_)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entries inlet and outlet are the same patch; they must differ"
-            << exit(FatalIOError);
-    }
+    readPatches(dict);
     capsule::input::warnOfOthers
     (
         dict,
@@ -254,13 +401,23 @@ bool Foam::functionObjects::extraPressureDrop::write()
     {
         solveEmpty();
     }
-    const scalar now = drop(mesh_.lookupObject<volScalarField>("p"));
+    scalar now = 0;
+    scalar empty = emptyDrop_;
+    if (driven())
+    {
+        now = membranes().driving().force() & period();
+        empty *= flux(mesh_.lookupObject<volVectorField>("U"))/flux_;
+    }
+    else
+    {
+        now = drop(mesh_.lookupObject<volScalarField>("p"));
+    }
     const scalar extra = extraDrop();
     if (Pstream::master())
     {
         file()
             << mesh_.time().timeOutputValue() << tab << now
-            << tab << emptyDrop_ << tab << extra << endl;
+            << tab << empty << tab << extra << endl;
     }
     return true;
 }

@@ -11,6 +11,7 @@ License
 #include "membraneMeasures.H"
 #include "membraneSystem.H"
 #include "input.H"
+#include "unitConversion.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -62,7 +63,8 @@ void Foam::functionObjects::membraneMeasures::writeMeasures
         << tab << stretch.minCoeff() << tab << stretch.maxCoeff()
         << tab << curve.taylorDeformation()
         << tab << m.elasticEnergy(curve)
-        << tab << curve.integral(m.power(curve)) << endl;
+        << tab << curve.integral(m.power(curve))
+        << tab << radToDeg(curve.inclination()) << endl;
 }
 
 
@@ -217,7 +219,8 @@ bool Foam::functionObjects::membraneMeasures::write()
                 {
                     "x", "y", "U", "V", "area", "perimeter",
                     "lengthX", "lengthY", "minStretch", "maxStretch",
-                    "taylorDeformation", "elasticEnergy", "power"
+                    "taylorDeformation", "elasticEnergy", "power",
+                    "inclination"
                 }
             )
             {

@@ -68,6 +68,10 @@ Foam::capsule::closedCurve Foam::capsule::immersedMembrane::ahead() const
 
 void Foam::capsule::immersedMembrane::advance(const nodalVectors& nodes)
 {
+    if (layer_.valid())
+    {
+        layer_->add(body_, mesh_.time().deltaT0Value());
+    }
     body_.store();
 
     membrane::state& now = body_.now();
@@ -143,6 +147,10 @@ Foam::capsule::immersedMembrane::immersedMembrane
     body_(name, dict, plane, mesh),
     ratio_(body_.viscosity()/viscosity)
 {
+    if (timeScheme(mesh_, "ddt(U)", 0).c != 0)
+    {
+        layer_.reset(new momentumLayer);
+    }
     if (dict.found("levelSet"))
     {
         const word name(input::get<word>(dict, "levelSet"));
@@ -264,6 +272,17 @@ Foam::scalar Foam::capsule::immersedMembrane::offset() const
     return
         (now.x - now.interface).rowwise().norm().maxCoeff()
        /distance().width();
+}
+
+
+Foam::scalar Foam::capsule::immersedMembrane::momentumThickness() const
+{
+    const scalar width = distance().width();
+
+    return
+        layer_.valid()
+      ? layer_->thickness(body_, min(ratio_, scalar(1))*mu_/rho_, width)/width
+      : GREAT;
 }
 
 

@@ -92,6 +92,25 @@ void Foam::capsule::membraneSystem::warnOfResolution() const
                 << " cell widths apart, more than " << membrane::widestSpacing
                 << ": it is not resolved there; see its entry points" << endl;
         }
+        warnOfMomentumLayer(parts_[i]);
+    }
+}
+
+
+void Foam::capsule::membraneSystem::warnOfMomentumLayer
+(
+    const immersedMembrane& part
+) const
+{
+    const scalar thickness = part.momentumThickness();
+    if (thickness < clearance::resolved)
+    {
+        WarningInFunction
+            << "The motion of membrane " << part.body().name() << " changes so"
+            << " fast that its momentum spreads over " << thickness
+            << " cell widths of the thinner liquid, less than "
+            << clearance::resolved << ": this layer, and the damping by it, are"
+            << " not resolved" << endl;
     }
 }
 

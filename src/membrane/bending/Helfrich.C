@@ -9,7 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "Helfrich.H"
-#include "dimensionSets.H"
+#include "dimensionedScalar.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -32,8 +32,52 @@ namespace bendingModels
 Foam::capsule::bendingModels::Helfrich::Helfrich(const dictionary& dict)
 :
     bendingModel(dict),
-    modulus_(input::getPositive(dict, "bendingModulus", dimEnergy, "J"))
-{}
+    modulus_(input::getPositive(dict, "bendingModulus", dimEnergy, "J")),
+    initial_(true),
+    uniform_(0)
+{
+    const word entry("referenceCurvature");
+    if (!dict.found(entry))
+    {
+        return;
+    }
+    const token first = input::guarded
+    (
+        dict,
+        entry,
+        [&]() { return token(dict.lookup(entry)); }
+    );
+    if (first.isWord())
+    {
+        const word choice(input::get<word>(dict, entry));
+        initial_ = (choice == "initial");
+        if (!initial_ && choice != "none")
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry " << entry << " is " << choice << "; permitted:"
+                << " initial, none, or a curvature [1/m]" << exit(FatalIOError);
+        }
+        return;
+    }
+
+    initial_ = false;
+    uniform_ = input::guarded
+    (
+        dict,
+        entry,
+        [&]()
+        {
+            return
+                dimensionedScalar(entry, dimless/dimLength, dict).value();
+        }
+    );
+    if (!(mag(uniform_) <= input::largest))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << entry << " is " << uniform_ << "; its magnitude may"
+            << " be up to " << input::largest << " [1/m]" << exit(FatalIOError);
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -43,7 +87,10 @@ void Foam::capsule::bendingModels::Helfrich::setReference
     const closedCurve& curve
 )
 {
-    reference_ = curve.curvature();
+    reference_ =
+        initial_
+      ? curve.curvature()
+      : nodalScalars::Constant(curve.size(), uniform_);
 }
 
 

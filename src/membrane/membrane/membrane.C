@@ -69,6 +69,32 @@ Foam::scalar Foam::capsule::membrane::perimeterInCells
 }
 
 
+void Foam::capsule::membrane::setReference
+(
+    const closedCurve& initial,
+    const membraneShape& shape,
+    const dictionary& dict
+)
+{
+    const scalar stretch = shape.initialStretch();
+    if
+    (
+        stretch != 1
+     && law_->stiffness(nodalScalars::Constant(1, stretch)).isZero()
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry initialStretch is " << stretch << ", but the tension of"
+            << " the elastic law " << law_->type() << " of membrane " << name_
+            << " does not depend on the stretch; permitted: 1, or no entry"
+            << exit(FatalIOError);
+    }
+    referenceMetric_ = initial.metric()/stretch;
+    referenceArea_ = initial.area();
+    bending_->setReference(initial);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::membrane::membrane
@@ -135,13 +161,11 @@ Foam::capsule::membrane::membrane
         load_ = membraneLoad::New(input::subDict(dict, "load"), mesh);
     }
 
-    const closedCurve reference(*basis_, now_.x);
-    referenceMetric_ = reference.metric();
-    referenceArea_ = reference.area();
-    bending_->setReference(reference);
+    const closedCurve initial(*basis_, now_.x);
+    setReference(initial, *shape, shapeDict);
 
     now_.interface = now_.x;
-    now_.force = force(reference, reference.metric());
+    now_.force = force(initial, initial.metric());
     now_.inertia.setZero(n, 2);
     now_.inner.setZero(n, 2);
     now_.velocity.setZero(n, 2);
@@ -149,8 +173,13 @@ Foam::capsule::membrane::membrane
     if (!readState(mesh.time()))
     {
         Info<< "Membrane " << name_ << ": starts as " << shape->type()
-            << ", " << n << " points, " << reference.perimeter()/n/width
-            << " cell widths apart" << endl;
+            << ", " << n << " points, " << initial.perimeter()/n/width
+            << " cell widths apart";
+        if (shape->initialStretch() != 1)
+        {
+            Info<< ", stretched by " << shape->initialStretch();
+        }
+        Info<< endl;
     }
 }
 

@@ -40,12 +40,20 @@ Foam::capsule::membraneShape::membraneShape
     clustering_
     (
         input::getBetweenOrDefault<scalar>(dict, "clustering", 0, -0.8, 0.8)
+    ),
+    initialStretch_
+    (
+        input::getBetweenOrDefault<scalar>(dict, "initialStretch", 1, 0.2, 5)
     )
 {
     input::permit
     (
         dict,
-        input::joined({"type", "centre", "angle", "clustering"}, own)
+        input::joined
+        (
+            {"type", "centre", "angle", "clustering", "initialStretch"},
+            own
+        )
     );
 
     const scalar angle = degToRad

@@ -1,0 +1,96 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "momentumLayer.H"
+#include "membrane.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::scalar Foam::capsule::momentumLayer::memory_ = 6;
+
+const Foam::scalar Foam::capsule::momentumLayer::leastTime_ = 2;
+
+const Foam::scalar Foam::capsule::momentumLayer::leastAmplitude_ = 0.01;
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::capsule::momentumLayer::rate() const
+{
+    return std::sqrt(max(acceleration_, scalar(0))/(speed_ + VSMALL));
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::momentumLayer::momentumLayer()
+:
+    time_(0),
+    speed_(0),
+    acceleration_(0)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::capsule::momentumLayer::add(const membrane& body, const scalar dt)
+{
+    // The start knows no velocity
+    if (body.nOld() < 2 || body.old(1).velocity.isZero())
+    {
+        return;
+    }
+    const auto relative = [](const nodalVectors& U)
+    {
+        return nodalVectors(U.rowwise() - U.colwise().mean());
+    };
+    const nodalVectors U = relative(body.now().velocity);
+    const nodalVectors U0 = relative(body.old(0).velocity);
+    const nodalVectors U00 = relative(body.old(1).velocity);
+
+    const scalar kept = std::exp(-dt*rate()/memory_);
+    time_ = kept*time_ + dt;
+    speed_ = kept*speed_ + dt*U.squaredNorm()/body.size();
+    acceleration_ =
+        kept*acceleration_
+      + (U - U0).cwiseProduct(U0 - U00).sum()/dt/body.size();
+}
+
+
+Foam::scalar Foam::capsule::momentumLayer::thickness
+(
+    const membrane& body,
+    const scalar nu,
+    const scalar width
+) const
+{
+    const closedCurve curve(body.curve());
+    const nodalVectors slope = curve.ds(body.now().velocity);
+    const nodalScalars along = dot(slope, curve.tangent());
+    nodalScalars turning = dot(slope, curve.normal());
+    turning.array() -= curve.integral(turning)/curve.perimeter();
+    scalar omega = std::sqrt
+    (
+        curve.integral(along.cwiseAbs2() + turning.cwiseAbs2())
+       /curve.perimeter()
+    );
+
+    const scalar inTime = rate();
+    const scalar speed = std::sqrt(speed_/(time_ + VSMALL));
+    if
+    (
+        inTime*time_ > leastTime_
+     && speed > leastAmplitude_*width*inTime
+    )
+    {
+        omega = max(omega, inTime);
+    }
+    return omega > VSMALL ? std::sqrt(2*nu/omega) : GREAT;
+}
