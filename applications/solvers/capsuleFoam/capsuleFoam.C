@@ -30,6 +30,8 @@ Description
 
 #include "fvCFD.H"
 #include "flowSolver.H"
+#include "boundaryTypes.H"
+#include "linearSchemes.H"
 #include "membraneSystem.H"
 #include "drivingForce.H"
 #include "repeatableStep.H"
