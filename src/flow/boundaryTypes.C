@@ -145,6 +145,26 @@ static void checkPressure(const fvPatchScalarField& pp)
 }
 
 
+//- Stop at a field that has other dimensions than those of what it is
+template<class Field>
+static void checkOne
+(
+    const Field& field,
+    const dimensionSet& dimensions,
+    const char* what
+)
+{
+    if (field.dimensions() != dimensions)
+    {
+        FatalErrorInFunction
+            << "Field " << field.name() << " in " << field.objectPath()
+            << " has the dimensions " << field.dimensions()
+            << "; permitted: " << dimensions << " (" << what << ")"
+            << exit(FatalError);
+    }
+}
+
+
 //- Does a condition look up the density as a field?
 static bool needsDensity
 (
@@ -165,6 +185,25 @@ static bool needsDensity
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::capsule::boundaryTypes::checkDimensions
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const surfaceScalarField& phi
+)
+{
+    checkOne(U, dimVelocity, "U is the velocity in m/s");
+    checkOne
+    (
+        p,
+        dimPressure,
+        "p is the pressure in Pa; in incompressible solvers of OpenFOAM it is"
+        " divided by the density: multiply it by rho"
+    );
+    checkOne(phi, dimVelocity*dimArea, "phi is the volume flux in m3/s");
+}
+
 
 template<class Type>
 bool Foam::capsule::boundaryTypes::constrained(const fvPatchField<Type>& pf)

@@ -276,7 +276,7 @@ void Foam::capsule::flowEquations::setBoundaries()
 }
 
 
-Foam::string Foam::capsule::flowEquations::continuityErrors
+void Foam::capsule::flowEquations::sayContinuityErrors
 (
     const sources* extra
 ) const
@@ -290,5 +290,4 @@ Foam::string Foam::capsule::flowEquations::continuityErrors
     const scalar perVolume = mesh_.time().deltaTValue()/gSum(V);
     Info<< "Continuity errors: sum local = " << perVolume*gSum(mag(error)*V)
         << ", global = " << perVolume*gSum(error*V) << endl;
-    return unbalanced_;
 }

@@ -138,22 +138,3 @@ Type Foam::capsule::input::getBetweenOrDefault
       ? getBetween<Type>(dict, entry, lower, upper)
       : deflt;
 }
-
-
-template<class Field>
-void Foam::capsule::input::checkDimensions
-(
-    const Field& field,
-    const dimensionSet& dimensions,
-    const char* what
-)
-{
-    if (field.dimensions() != dimensions)
-    {
-        FatalErrorInFunction
-            << "Field " << field.name() << " in " << field.objectPath()
-            << " has the dimensions " << field.dimensions()
-            << "; permitted: " << dimensions << " (" << what << ")"
-            << exit(FatalError);
-    }
-}

@@ -114,7 +114,7 @@ int main(int argc, char *argv[])
             #include "UEqn.H"
 
             // (B) Pressure, velocity, membranes and their stress
-            while (membranes.loop())
+            while (flow->unbalanced().empty() && membranes.loop())
             {
                 #include "pEqn.H"
                 membranes.correct();
