@@ -12,6 +12,7 @@ License
 #include "addToRunTimeSelectionTable.H"
 #include "volFields.H"
 #include "surfaceFields.H"
+#include "processorFvPatch.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -21,8 +22,7 @@ Foam::extrapolatedOutletFvPatchVectorField::extrapolatedOutletFvPatchVectorField
     const DimensionedField<vector, volMesh>& iF
 )
 :
-    fixedValueFvPatchVectorField(p, iF),
-    curTime_(-GREAT)
+    fixedValueFvPatchVectorField(p, iF)
 {}
 
 
@@ -33,8 +33,7 @@ Foam::extrapolatedOutletFvPatchVectorField::extrapolatedOutletFvPatchVectorField
     const dictionary& dict
 )
 :
-    fixedValueFvPatchVectorField(p, iF, dict),
-    curTime_(-GREAT)
+    fixedValueFvPatchVectorField(p, iF, dict)
 {}
 
 
@@ -46,8 +45,7 @@ Foam::extrapolatedOutletFvPatchVectorField::extrapolatedOutletFvPatchVectorField
     const fvPatchFieldMapper& mapper
 )
 :
-    fixedValueFvPatchVectorField(ptf, p, iF, mapper),
-    curTime_(-GREAT)
+    fixedValueFvPatchVectorField(ptf, p, iF, mapper)
 {}
 
 
@@ -56,8 +54,7 @@ Foam::extrapolatedOutletFvPatchVectorField::extrapolatedOutletFvPatchVectorField
     const extrapolatedOutletFvPatchVectorField& ptf
 )
 :
-    fixedValueFvPatchVectorField(ptf),
-    curTime_(ptf.curTime_)
+    fixedValueFvPatchVectorField(ptf)
 {}
 
 
@@ -67,81 +64,170 @@ Foam::extrapolatedOutletFvPatchVectorField::extrapolatedOutletFvPatchVectorField
     const DimensionedField<vector, volMesh>& iF
 )
 :
-    fixedValueFvPatchVectorField(ptf, iF),
-    curTime_(ptf.curTime_)
+    fixedValueFvPatchVectorField(ptf, iF)
 {}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::extrapolatedOutletFvPatchVectorField::followsPressure
+(
+    const fvPatchVectorField& Up
+) const
+{
+    if (!Up.assignable() || !db().foundObject<volScalarField>("p"))
+    {
+        return false;
+    }
+    const auto& p = db().lookupObject<volScalarField>("p");
+    return p.boundaryField()[Up.patch().index()].fixesValue();
+}
+
+
+Foam::scalar Foam::extrapolatedOutletFvPatchVectorField::pressureFlux
+(
+    const fvPatchVectorField& Up
+) const
+{
+    if (db().foundObject<surfaceScalarField>("phi"))
+    {
+        const auto& phi = db().lookupObject<surfaceScalarField>("phi");
+        return sum(phi.boundaryField()[Up.patch().index()]);
+    }
+    return sum(Up & Up.patch().Sf());
+}
+
+
+Foam::tmp<Foam::vectorField>
+Foam::extrapolatedOutletFvPatchVectorField::extrapolated
+(
+    const volVectorField& field
+) const
+{
+    const fvMesh& mesh = patch().boundaryMesh().mesh();
+    const vectorField& U = primitiveField();
+    // Not mesh.C(), which all processors would have to ask for at once
+    const vectorField& C = mesh.cellCentres();
+    tmp<vectorField> tUp(patchInternalField());
+    vectorField& Up = tUp.ref();
+
+    forAll(Up, i)
+    {
+        // The cell beyond, where there is one
+        const label facei = patch().start() + i;
+        const label celli = patch().faceCells()[i];
+        const label opposite =
+            mesh.cells()[celli].opposingFaceLabel(facei, mesh.faces());
+        if (opposite == -1)
+        {
+            continue;
+        }
+        const scalar ahead = mag(patch().Cf()[i] - C[celli]);
+        if (mesh.isInternalFace(opposite))
+        {
+            const label next =
+                mesh.owner()[opposite] == celli
+              ? mesh.neighbour()[opposite]
+              : mesh.owner()[opposite];
+            const scalar behind = mag(C[celli] - C[next]);
+            Up[i] += ahead/behind*(U[celli] - U[next]);
+            continue;
+        }
+        const label patchi = mesh.boundaryMesh().whichPatch(opposite);
+        const fvPatchVectorField& other = field.boundaryField()[patchi];
+        if (other.coupled())
+        {
+            const label j = opposite - other.patch().start();
+            const vector next = other.patchNeighbourField()()[j];
+            const scalar behind = mag(other.patch().delta()()[j]);
+            Up[i] += ahead/behind*(U[celli] - next);
+        }
+    }
+    return tUp;
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::extrapolatedOutletFvPatchVectorField::updateCoeffs()
 {
+    typedef extrapolatedOutletFvPatchVectorField outlet;
+
     if (updated())
     {
         return;
     }
 
-    if (curTime_ != db().time().value())
+    volVectorField& field =
+        db().lookupObjectRef<volVectorField>(internalField().name());
+    label nPatches = 0;
+    UPtrList<fvPatchVectorField> patches(field.boundaryField().size());
+    forAll(patches, patchi)
     {
-        const fvMesh& mesh = patch().boundaryMesh().mesh();
-        const vectorField& U = primitiveField();
-        const volVectorField& field =
-            db().lookupObject<volVectorField>(internalField().name());
-        // Not mesh.C(), which all processors would have to ask for at once
-        const vectorField& C = mesh.cellCentres();
-        vectorField& Up = *this;
-
-        forAll(Up, i)
-        {
-            const label facei = patch().start() + i;
-            const label celli = patch().faceCells()[i];
-            Up[i] = U[celli];
-
-            // The cell beyond, where there is one
-            const label opposite =
-                mesh.cells()[celli].opposingFaceLabel(facei, mesh.faces());
-            if (opposite == -1)
-            {
-                continue;
-            }
-            const scalar ahead = mag(patch().Cf()[i] - C[celli]);
-            if (mesh.isInternalFace(opposite))
-            {
-                const label next =
-                    mesh.owner()[opposite] == celli
-                  ? mesh.neighbour()[opposite]
-                  : mesh.owner()[opposite];
-                const scalar behind = mag(C[celli] - C[next]);
-                Up[i] += ahead/behind*(U[celli] - U[next]);
-                continue;
-            }
-            const label patchi = mesh.boundaryMesh().whichPatch(opposite);
-            const fvPatchVectorField& other = field.boundaryField()[patchi];
-            if (other.coupled())
-            {
-                const label j = opposite - other.patch().start();
-                const vector next = other.patchNeighbourField()()[j];
-                const scalar behind = mag(other.patch().delta()()[j]);
-                Up[i] += ahead/behind*(U[celli] - next);
-            }
-        }
-
-        // Flux through all boundaries, of which this patch makes up the rest
-        scalar flux = gSum(Up & patch().Sf());
-        forAll(field.boundaryField(), patchi)
-        {
-            const fvPatchVectorField& other = field.boundaryField()[patchi];
-            if (patchi != patch().index() && !other.coupled())
-            {
-                flux += gSum(other & other.patch().Sf());
-            }
-        }
-        Up -= flux/gSum(patch().magSf())*patch().nf();
-
-        curTime_ = db().time().value();
+        const fvPatchVectorField& Up = field.boundaryField()[patchi];
+        patches.set(patchi, const_cast<fvPatchVectorField*>(&Up));
+        nPatches += !isA<processorFvPatch>(Up.patch());
     }
 
-    fixedValueFvPatchVectorField::updateCoeffs();
+    // Of all outlets: area, flux as it stands and as extrapolated. Flux of the
+    // rest, with given velocities of the present time, and area of what of it
+    // follows a given pressure
+    scalarList areas(nPatches, Zero);
+    scalarList last(nPatches, Zero);
+    scalarList ahead(nPatches, Zero);
+    scalarList rest(2, Zero);
+    PtrList<vectorField> values(nPatches);
+
+    for (label patchi = 0; patchi < nPatches; ++patchi)
+    {
+        fvPatchVectorField& Up = patches[patchi];
+        const vectorField& S = Up.patch().Sf();
+        if (Up.coupled())
+        {
+            continue;
+        }
+        if (isA<outlet>(Up))
+        {
+            values.set
+            (
+                patchi,
+                refCast<const outlet>(Up).extrapolated(field).ptr()
+            );
+            areas[patchi] = sum(Up.patch().magSf());
+            last[patchi] = sum(Up & S);
+            ahead[patchi] = sum(values[patchi] & S);
+        }
+        else if (followsPressure(Up))
+        {
+            rest[0] += pressureFlux(Up);
+            rest[1] += sum(Up.patch().magSf());
+        }
+        else
+        {
+            Up.updateCoeffs();
+            rest[0] += sum(Up & S);
+        }
+    }
+    for (scalarList* list : {&areas, &last, &ahead, &rest})
+    {
+        Pstream::listCombineGather(*list, plusEqOp<scalar>());
+        Pstream::listCombineScatter(*list);
+    }
+    const scalar area = sum(areas) + rest[1];
+    const scalar missing = -sum(last) - rest[0];
+
+    forAll(values, patchi)
+    {
+        if (values.set(patchi))
+        {
+            outlet& Up = refCast<outlet>(patches[patchi]);
+            const scalar flux = last[patchi] + missing*areas[patchi]/area;
+            const scalar shift =
+                (flux - ahead[patchi])/max(areas[patchi], VSMALL);
+            Up == values[patchi] + shift*Up.patch().nf();
+            Up.fixedValueFvPatchVectorField::updateCoeffs();
+        }
+    }
 }
 
 

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "conjugateResiduals.H"
+#include "boundaryTypes.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -162,7 +163,9 @@ Foam::capsule::conjugateResiduals::conjugateResiduals
         input::getBetweenOrDefault<label>(dict, "directions", 60, 1, 10000)
     ),
     answersKnown_(false)
-{}
+{
+    boundaryTypes::checkAffine(U, p);
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

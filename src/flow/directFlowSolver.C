@@ -242,10 +242,7 @@ Eigen::SparseMatrix<Foam::scalar> Foam::capsule::directFlowSolver::matrix
         {
             continue;
         }
-        const vectorField coeffs
-        (
-            Up.valueInternalCoeffs(mesh_.weights().boundaryField()[patchi])
-        );
+        const vectorField coeffs(fluxCoeffs(patchi));
         const scalarField gradCoeffs(pp.gradientInternalCoeffs());
         forAll(Up, i)
         {
@@ -255,8 +252,8 @@ Eigen::SparseMatrix<Foam::scalar> Foam::capsule::directFlowSolver::matrix
                 continue;
             }
             const vector& S = mesh_.Sf().boundaryField()[patchi][i];
-            addFlux(P, P, 1, cmptMultiply(coeffs[i], S), 0);
-            if (pp.fixesValue())
+            addFlux(P, P, 1, coeffs[i], 0);
+            if (followsPressure(patchi))
             {
                 const scalar rAU = rAUf_.boundaryField()[patchi][i];
                 addFlux(P, P, 1, S, rAU);

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "flowEquations.H"
+#include "boundaryTypes.H"
 #include "fvc.H"
 #include "findRefCell.H"
 #include "input.H"
@@ -82,6 +83,9 @@ void Foam::capsule::flowEquations::set(const fvVectorMatrix& UEqn)
 
     // Pressure over divergence: the reference equation in the same units
     pressureScale_ = gMax(sqr(continuityScale_)/momentumScale_);
+
+    setPressureBoundaries();
+    setSlip(UEqn);
 }
 
 
@@ -91,10 +95,10 @@ Foam::capsule::nodalScalars Foam::capsule::flowEquations::residual
     const sources* extra
 )
 {
-    U_.correctBoundaryConditions();
-    p_.correctBoundaryConditions();
+    evaluateBoundaries();
 
-    volVectorField gradp(fvc::grad(p_));
+    // Names as in fvSchemes, whichever pressure is solved for
+    volVectorField gradp(fvc::grad(p_, "grad(p)"));
     vectorField momentum(-(UEqn & U_)().primitiveField());
     if (extra)
     {
@@ -109,6 +113,7 @@ Foam::capsule::nodalScalars Foam::capsule::flowEquations::residual
         }
     }
     momentum -= gradp.primitiveField();
+    addSlip(momentum);
     if (force_ != vector(Zero))
     {
         momentum += force_;
@@ -119,15 +124,16 @@ Foam::capsule::nodalScalars Foam::capsule::flowEquations::residual
       + rAUf_
        *(
             (fvc::interpolate(gradp) & mesh_.Sf())
-          - fvc::snGrad(p_)*mesh_.magSf()
+          - fvc::snGrad(p_, "snGrad(p)")*mesh_.magSf()
         );
     if (extra)
     {
         phi_ += extra->flux + rAUf_*extra->pressureFlux;
     }
 
-    // Boundary fluxes are those of the velocity; where the pressure is fixed,
-    // the gradient of the cell against that of the face
+    // Boundary fluxes are those of the velocity; where the pressure is fixed
+    // and the velocity follows it, those of the velocity of the cell, with the
+    // gradient of the cell against that of the face
     forAll(phi_.boundaryField(), patchi)
     {
         const fvPatchScalarField& pp = p_.boundaryField()[patchi];
@@ -137,8 +143,9 @@ Foam::capsule::nodalScalars Foam::capsule::flowEquations::residual
         }
         const vectorField& S = mesh_.Sf().boundaryField()[patchi];
         scalarField flux(U_.boundaryField()[patchi] & S);
-        if (pp.fixesValue())
+        if (followsPressure(patchi))
         {
+            flux = U_.boundaryField()[patchi].patchInternalField() & S;
             flux +=
                 rAUf_.boundaryField()[patchi]
                *(
@@ -280,6 +287,7 @@ Foam::capsule::flowEquations::flowEquations
     phi_(phi),
     pRefCell_(-1),
     pRefValue_(0),
+    levelFree_(p.needReference()),
     rAUf_
     (
         IOobject("rAUf", mesh_.time().timeName(), mesh_),
@@ -290,7 +298,9 @@ Foam::capsule::flowEquations::flowEquations
     pressureScale_(1)
 {
     checkHeld();
-    if (p.needReference())
+    boundaryTypes::checkFluxes(U, p);
+    checkBalance();
+    if (levelFree_)
     {
         setReference(dict);
     }

@@ -13,6 +13,7 @@ License
 #include "fvc.H"
 #include "fixedValueFvPatchFields.H"
 #include "zeroGradientFvPatchFields.H"
+#include "slipFvPatchFields.H"
 #include "wallPolyPatch.H"
 #include "profiling.H"
 #include "addToRunTimeSelectionTable.H"
@@ -58,8 +59,10 @@ Foam::wordList Foam::capsule::fractionalStep::homogeneous
         types[patchi] =
             polyPatch::constraintType(pf.patch().type())
           ? pf.patch().type()
-          : pf.fixesValue()
+          : pf.fixesValue() && !pf.assignable()
           ? fixedValueFvPatchField<Type>::typeName
+          : isA<slipFvPatchField<Type>>(pf)
+          ? slipFvPatchField<Type>::typeName
           : zeroGradientFvPatchField<Type>::typeName;
     }
     return types;

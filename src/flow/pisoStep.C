@@ -134,11 +134,6 @@ void Foam::capsule::pisoStep::solve
     {
         correct(UEqn, i == nCorrectors_);
     }
-
-    Info<< type() << ":  Continuity error "
-        << mesh_.time().deltaTValue()
-       *mag(fvc::div(phi_))().weightedAverage(mesh_.V()).value()
-        << endl;
 }
 
 

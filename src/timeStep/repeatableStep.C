@@ -33,20 +33,23 @@ void Foam::capsule::repeatableStep::grow()
 
 void Foam::capsule::repeatableStep::goBack()
 {
-    if (U_.older())
+    if (membranes_.size() > 0)
     {
-        start_.setFirst();
+        if (U_.older())
+        {
+            start_.setFirst();
+        }
+        U_.restore();
+        p_.restore();
+        phi_.restore();
+        driving_.found(force_);
     }
-    U_.restore();
-    p_.restore();
-    phi_.restore();
-    driving_.found(force_);
     static_cast<TimeState&>(time_) = start_;
     membranes_.restore();
 }
 
 
-void Foam::capsule::repeatableStep::end()
+void Foam::capsule::repeatableStep::end(const string& failure)
 {
     const bool first = (time_.timeIndex() == time_.startTimeIndex());
     if (!first)
@@ -58,7 +61,7 @@ void Foam::capsule::repeatableStep::end()
 
     FatalErrorInFunction
         << "The run ends at time " << time_.timeName() << ": "
-        << membranes_.failure().c_str() << nl
+        << failure.c_str() << nl
         << (
                first
              ? "    It has taken no step: nothing is written."
@@ -118,13 +121,13 @@ Foam::capsule::repeatableStep::repeatableStep
 
 void Foam::capsule::repeatableStep::start()
 {
+    start_ = timeAtStart(time_);
     if (membranes_.size() > 0)
     {
         U_.store();
         p_.store();
         phi_.store();
         force_ = driving_.force();
-        start_ = timeAtStart(time_);
 
         // Cut again and again, an adjustable step may become ever smaller
         const scalar decay = time_.isAdjustTimeStep() ? 0.9 : 1;
@@ -137,24 +140,34 @@ void Foam::capsule::repeatableStep::start()
 
 bool Foam::capsule::repeatableStep::repeat()
 {
-    if (membranes_.converged())
+    const bool balanced = flow_.unbalanced().empty();
+    if (balanced && membranes_.converged())
     {
+        flow_.sayContinuityErrors(membranes_.sources());
         grow();
         return false;
     }
+    const string& failure =
+        balanced ? membranes_.failure() : flow_.unbalanced();
 
     const word failed(time_.timeName());
     const scalar deltaT = time_.deltaTValue();
     goBack();
 
-    if (deltaT < 1.5*least_ || time_.stopAt() == Time::saNoWriteNow)
+    // What the boundaries give changes little with the step
+    if
+    (
+        !balanced
+     || deltaT < 1.5*least_
+     || time_.stopAt() == Time::saNoWriteNow
+    )
     {
-        end();
+        end(failure);
         return false;
     }
 
     Info<< "Step to " << failed << " failed: "
-        << membranes_.failure().c_str() << "; again with half of it" << nl
+        << failure.c_str() << "; again with half of it" << nl
         << endl;
     time_.Time::setDeltaT(0.5*deltaT, false);
     if (!time_.isAdjustTimeStep())

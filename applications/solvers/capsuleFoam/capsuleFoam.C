@@ -30,6 +30,8 @@ Description
 
 #include "fvCFD.H"
 #include "flowSolver.H"
+#include "boundaryTypes.H"
+#include "linearSchemes.H"
 #include "membraneSystem.H"
 #include "drivingForce.H"
 #include "repeatableStep.H"
@@ -112,7 +114,7 @@ int main(int argc, char *argv[])
             #include "UEqn.H"
 
             // (B) Pressure, velocity, membranes and their stress
-            while (membranes.loop())
+            while (flow->unbalanced().empty() && membranes.loop())
             {
                 #include "pEqn.H"
                 membranes.correct();
