@@ -169,31 +169,32 @@ void Foam::capsule::immersedInterface::setJumps(const jumpConditions& jumps)
 
     beyondU_ = jumps.velocity(beyond_);
 
-    // Linear interpolation against the average of the face, normal component
+    // What linear interpolation to a face gets wrong of its average, in the
+    // flux: n.(w (1 - w)/2 d d - e e/24) : grad grad u, with d between the cell
+    // centres and e along the face
     const fvMesh& mesh = levelSet_.mesh();
-    const Pair<nodalVectors> curvature
-    (
-        jumps.velocityCurvature(centres_, 0),
-        jumps.velocityCurvature(centres_, 1)
-    );
-    misfit_.resize(faces_.foreign().size());
-    forAll(faces_.foreign(), i)
+    const label n = faces_.foreign().size();
+    nodalVectors normal(n, 2);
+    nodalVectors across(n, 2);
+    nodalVectors along(n, 2);
+    nodalScalars weight(n);
+    for (label i = 0; i < n; ++i)
     {
         const cutFaces::view& v = faces_.views()[faces_.foreign()[i]];
         const vector2 S =
             levelSet_.plane()(cutFaces::value(mesh.Sf(), v.face));
-        const label axis = (mag(S(0)) > mag(S(1)) ? 0 : 1);
-        const scalar across =
-            1/cutFaces::value(mesh.nonOrthDeltaCoeffs(), v.face);
-        const scalar along = S.norm()/levelSet_.plane().thickness();
-        misfit_(i) =
-            sign(S(axis))
-           *(
-                0.5*v.weight*(1 - v.weight)*sqr(across)
-               *curvature[axis](i, axis)
-              - sqr(along)/24*curvature[1 - axis](i, axis)
-            );
+        normal.row(i) = S.normalized();
+        across.row(i) =
+            normal.row(i)/cutFaces::value(mesh.nonOrthDeltaCoeffs(), v.face);
+        along.row(i) = turned(S)/levelSet_.plane().thickness();
+        weight(i) = 0.5*v.weight*(1 - v.weight);
     }
+    misfit_ = dot
+    (
+        normal,
+        scaled(weight, jumps.velocityCurvature(centres_, across))
+      - jumps.velocityCurvature(centres_, along)/24
+    );
 }
 
 

@@ -113,12 +113,14 @@ Foam::capsule::nodalVectors Foam::capsule::jumpConditions::velocity
 Foam::capsule::nodalVectors Foam::capsule::jumpConditions::velocityCurvature
 (
     const targets& at,
-    const label i
+    const nodalVectors& d
 ) const
 {
     const nodalMatrix u = at.interpolation*terms_;
-    const nodalScalars n = at.normal.col(i);
-    const nodalScalars t = (i == 0 ? -1 : 1)*at.normal.col(1 - i);
+    const nodalScalars n = dot(d, at.normal);
+    const nodalScalars t =
+        d.col(1).cwiseProduct(at.normal.col(0))
+      - d.col(0).cwiseProduct(at.normal.col(1));
 
     return
         scaled(n.cwiseAbs2(), u.middleCols<2>(U2))
