@@ -11,6 +11,7 @@ License
 #include "membraneMeasures.H"
 #include "membraneSystem.H"
 #include "input.H"
+#include "releases.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -207,7 +208,7 @@ bool Foam::functionObjects::membraneMeasures::write()
         files_.setSize(system.size());
         forAll(files_, i)
         {
-            files_.set(i, createFile(system[i].name()));
+            files_.set(i, newFileAtStartTime(system[i].name()));
             files_[i].precision(12);
             writeHeader(files_[i], "Membrane " + system[i].name());
             writeCommented(files_[i], "Time");
