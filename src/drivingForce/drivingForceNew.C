@@ -28,7 +28,7 @@ Foam::autoPtr<Foam::capsule::drivingForce> Foam::capsule::drivingForce::New
         IOobject::NO_WRITE,
         false
     );
-    if (typeFilePath<IOdictionary>(io).empty())
+    if (io.globalFilePath(IOdictionary::typeName).empty())
     {
         return autoPtr<drivingForce>(new drivingForce);
     }

@@ -12,6 +12,7 @@ License
 #include "membraneSystem.H"
 #include "input.H"
 #include "unitConversion.H"
+#include "releases.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -209,7 +210,7 @@ bool Foam::functionObjects::membraneMeasures::write()
         files_.setSize(system.size());
         forAll(files_, i)
         {
-            files_.set(i, createFile(system[i].name()));
+            files_.set(i, newFileAtStartTime(system[i].name()));
             files_[i].precision(12);
             writeHeader(files_[i], "Membrane " + system[i].name());
             writeCommented(files_[i], "Time");

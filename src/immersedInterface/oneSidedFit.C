@@ -9,7 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "oneSidedFit.H"
-#include "Pstream.H"
+#include "releases.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -34,8 +34,7 @@ Foam::capsule::nodalMatrix Foam::capsule::oneSidedFit::gather
     (
         UList<scalar>(const_cast<scalar*>(local.data()), local.size())
     );
-    Pstream::gatherList(parts);
-    Pstream::scatterList(parts);
+    allGatherList(parts);
 
     nodalMatrix all(sum(sizes_), local.cols());
     label start = 0;
@@ -131,8 +130,7 @@ Foam::capsule::oneSidedFit::oneSidedFit
     const scalar r = radius*distance.width();
 
     sizes_[Pstream::myProcNo()] = cells.size();
-    Pstream::gatherList(sizes_);
-    Pstream::scatterList(sizes_);
+    allGatherList(sizes_);
 
     nodalMatrix local(cells.size(), 3);
     forAll(cells, i)

@@ -103,12 +103,11 @@ Foam::capsule::membraneSystem::viscousTerm() const
 
     const dimensionedScalar mu("mu", dimPressure*dimTime, mu_);
     tmp<fvVectorMatrix> term(-fvm::laplacian(mu, U_));
-    const bool uniform = std::all_of
-    (
-        parts_.begin(),
-        parts_.end(),
-        [](const immersedMembrane& m) { return m.viscousScale() == 1; }
-    );
+    bool uniform = true;
+    forAll(parts_, i)
+    {
+        uniform = uniform && parts_[i].viscousScale() == 1;
+    }
     if (!uniform)
     {
         scalarField rows(mesh_.nCells(), 1);

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "meshPlane.H"
+#include "releases.H"
 #include "emptyPolyPatch.H"
 #include "wedgePolyPatch.H"
 #include "cyclicPolyPatch.H"
@@ -49,8 +50,7 @@ void Foam::capsule::meshPlane::setPeriods(const fvMesh& mesh)
         }
     }
     found[Pstream::myProcNo()] = mine;
-    Pstream::gatherList(found);
-    Pstream::scatterList(found);
+    allGatherList(found);
 
     for (const List<vector>& list : found)
     {

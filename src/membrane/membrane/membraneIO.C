@@ -10,6 +10,7 @@ License
 
 #include "membrane.H"
 #include "wholeFile.H"
+#include "releases.H"
 #include "fvMesh.H"
 #include "OSHA1stream.H"
 #include "sigFpe.H"
@@ -262,7 +263,8 @@ void Foam::capsule::membrane::writeCloud(const fvMesh& mesh) const
     const nodalScalars tension = this->tension(now);
 
     // Each point has one owner: the lowest processor that finds it
-    passiveParticleCloud cloud(mesh, name_, IDLList<passiveParticle>());
+    auto owned = emptyCloud<passiveParticleCloud>(mesh, name_);
+    passiveParticleCloud& cloud = *owned;
     DynamicList<label> mine;
     forAll(points, i)
     {
