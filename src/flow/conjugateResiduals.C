@@ -62,7 +62,7 @@ void Foam::capsule::conjugateResiduals::addDirection
     d.residual /= length;
     d.unknowns /= length;
 
-    if (label(directions_.size()) == maxDirections_)
+    while (label(directions_.size()) >= maxDirections_)
     {
         directions_.pop_front();
     }
@@ -70,7 +70,7 @@ void Foam::capsule::conjugateResiduals::addDirection
 }
 
 
-void Foam::capsule::conjugateResiduals::converge
+Foam::string Foam::capsule::conjugateResiduals::converge
 (
     const fvVectorMatrix& UEqn,
     const sources* extra,
@@ -94,6 +94,7 @@ void Foam::capsule::conjugateResiduals::converge
     nodalScalars r = evaluate();
     scalar norm = globalNorm(r);
     const scalar initial = norm;
+    const scalar from = termSize();
 
     const auto advance = [&](const searchDirection& d)
     {
@@ -129,11 +130,37 @@ void Foam::capsule::conjugateResiduals::converge
 
     applied(iter);
 
+    // Below the tolerance, or as far as round-off of the terms lets it
+    const bool solved =
+        norm <= tolerance_*reference
+     || norm <= roundOff*max(from, termSize());
+
     Info<< type() << ":  Solving for " << what << ", Initial residual = "
         << initial/reference << ", Final residual = " << norm/reference
         << ", No Iterations " << iter
-        << (norm > 10*tolerance_*reference ? ", above the tolerance" : "")
-        << endl;
+        << (solved ? "" : ", above the tolerance") << endl;
+
+    return
+        solved
+      ? string::null
+      : "the flow is not solved: the residual of " + string(what) + " is "
+      + Foam::name(norm/reference) + " after " + Foam::name(iter)
+      + " iterations, above the tolerance of " + Foam::name(tolerance_);
+}
+
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+void Foam::capsule::conjugateResiduals::readOwn(const dictionary& dict)
+{
+    const scalar tolerance =
+        input::getBetweenOrDefault<scalar>(dict, "tolerance", 1e-8, 1e-15, 0.1);
+    const label maxIter =
+        input::getBetweenOrDefault<label>(dict, "maxIter", 100, 1, 10000);
+    maxDirections_ =
+        input::getBetweenOrDefault<label>(dict, "directions", 60, 1, 10000);
+    tolerance_ = tolerance;
+    maxIter_ = maxIter;
 }
 
 
@@ -150,20 +177,9 @@ Foam::capsule::conjugateResiduals::conjugateResiduals
 )
 :
     flowSolver(dict, U, p, phi, rho, own),
-    tolerance_
-    (
-        input::getBetweenOrDefault<scalar>(dict, "tolerance", 1e-8, 1e-15, 0.1)
-    ),
-    maxIter_
-    (
-        input::getBetweenOrDefault<label>(dict, "maxIter", 100, 1, 10000)
-    ),
-    maxDirections_
-    (
-        input::getBetweenOrDefault<label>(dict, "directions", 60, 1, 10000)
-    ),
     answersKnown_(false)
 {
+    conjugateResiduals::readOwn(dict);
     boundaryTypes::checkAffine(U, p);
 }
 
@@ -191,8 +207,18 @@ void Foam::capsule::conjugateResiduals::begin(const fvVectorMatrix& UEqn)
 {
     directions_.clear();
     answersKnown_ = false;
+    unsolvedAnswer_.clear();
     set(UEqn);
     prepare(UEqn);
+}
+
+
+void Foam::capsule::conjugateResiduals::restore()
+{
+    flowSolver::restore();
+    directions_.clear();
+    answers_.clear();
+    answersKnown_ = false;
 }
 
 
@@ -204,10 +230,16 @@ void Foam::capsule::conjugateResiduals::solve
 {
     nodalScalars x = packed(U_, p_);
 
-    // Reference: what the fluid at rest leaves of the equations
+    // Reference: what the fluid at rest leaves of the equations, at least
+    // what round-off leaves of the flow that was
+    const scalar least = roundOff*termSize();
     unpack(nodalScalars::Zero(x.size()));
     const nodalScalars atRest = residual(UEqn, extra);
-    const scalar reference = globalNorm(atRest) + VSMALL;
+    const scalar reference = max(globalNorm(atRest), least) + VSMALL;
 
-    converge(UEqn, extra, atRest, nullptr, reference, "U, p", x);
+    failure_ = converge(UEqn, extra, atRest, nullptr, reference, "U, p", x);
+    if (failure_.empty())
+    {
+        failure_ = unsolvedAnswer_;
+    }
 }

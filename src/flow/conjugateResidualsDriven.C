@@ -43,11 +43,15 @@ void Foam::capsule::conjugateResiduals::setAnswers
         const scalar size = (acting > VSMALL*unit ? acting/unit : 1);
 
         nodalScalars answer = size*answers_[i];
-        converge
+        const string unsolved = converge
         (
             UEqn, extra, atRest(size*along[i]), &idle, size*unit,
             "answer to force", answer
         );
+        if (!unsolved.empty())
+        {
+            unsolvedAnswer_ = unsolved;
+        }
         answers_[i] = answer/size;
     }
     force_ = force;

@@ -295,13 +295,25 @@ void Foam::capsule::directFlowSolver::factorise(const fvVectorMatrix& UEqn)
     }
     factorised_.reset(new fvVectorMatrix(UEqn));
     stale_ = false;
+    made_ = true;
 }
 
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
+void Foam::capsule::directFlowSolver::readOwn(const dictionary& dict)
+{
+    const label refactor =
+        input::getBetweenOrDefault<label>(dict, "refactor", 6, 1, 10000);
+    conjugateResiduals::readOwn(dict);
+    refactor_ = refactor;
+}
+
+
 void Foam::capsule::directFlowSolver::prepare(const fvVectorMatrix& UEqn)
 {
+    made_ = false;
+    staleAtStart_ = stale_;
     if (stale_)
     {
         factorise(UEqn);
@@ -358,17 +370,25 @@ Foam::capsule::directFlowSolver::directFlowSolver
 )
 :
     conjugateResiduals(dict, U, p, phi, rho),
-    refactor_
-    (
-        input::getBetweenOrDefault<label>(dict, "refactor", 6, 1, 10000)
-    ),
     stale_(true),
+    made_(false),
+    staleAtStart_(true),
     varies_(word(mesh_.ddtScheme("ddt(U)")) != "steadyState")
 {
+    directFlowSolver::readOwn(dict);
     if (Pstream::parRun())
     {
         FatalIOErrorInFunction(dict)
             << "Entry solver is direct, which runs on one processor only;"
             << " in parallel: fractionalStep" << exit(FatalIOError);
     }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::capsule::directFlowSolver::restore()
+{
+    conjugateResiduals::restore();
+    stale_ = staleAtStart_ || made_;
 }

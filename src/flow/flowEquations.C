@@ -180,6 +180,19 @@ Foam::capsule::nodalScalars Foam::capsule::flowEquations::residual
 }
 
 
+Foam::scalar Foam::capsule::flowEquations::termSize() const
+{
+    return Foam::sqrt
+    (
+        gSum
+        (
+            magSqr(U_.primitiveField())
+          + magSqr(momentumScale_*p_.primitiveField()/continuityScale_)
+        )
+    );
+}
+
+
 void Foam::capsule::flowEquations::unscale
 (
     const nodalScalars& r,

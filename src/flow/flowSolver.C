@@ -22,21 +22,18 @@ namespace capsule
 }
 }
 
+const Foam::scalar Foam::capsule::flowSolver::roundOff = 100*SMALL;
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::capsule::flowSolver::flowSolver
-(
-    const dictionary& dict,
-    volVectorField& U,
-    volScalarField& p,
-    surfaceScalarField& phi,
-    const dimensionedScalar& rho,
-    const wordList& own
-)
-:
-    flowEquations(dict, U, p, phi),
-    rho_(rho)
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+
+//- Stop at entries other than those of the library's solvers and own ones
+static void permit(const dictionary& dict, const wordList& own)
 {
     input::permit
     (
@@ -59,6 +56,31 @@ Foam::capsule::flowSolver::flowSolver
             own
         )
     );
+}
+
+} // End namespace capsule
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::flowSolver::flowSolver
+(
+    const dictionary& dict,
+    volVectorField& U,
+    volScalarField& p,
+    surfaceScalarField& phi,
+    const dimensionedScalar& rho,
+    const wordList& own
+)
+:
+    flowEquations(dict, U, p, phi),
+    rho_(rho),
+    own_(own),
+    atStart_(dict),
+    digest_(dict.digest())
+{
+    permit(dict, own);
 }
 
 
@@ -92,4 +114,52 @@ Foam::autoPtr<Foam::capsule::flowSolver> Foam::capsule::flowSolver::New
     Info<< "Flow solver: " << type << endl;
 
     return autoPtr<flowSolver>(cstrIter()(dict, U, p, phi, rho));
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::capsule::flowSolver::readIfModified()
+{
+    const dictionary* ours = mesh_.solutionDict().findDict("capsuleFoam");
+    const dictionary* dict = ours ? ours->findDict("flow") : nullptr;
+    const SHA1Digest digest(dict ? dict->digest() : SHA1Digest());
+    if (digest == digest_)
+    {
+        return;
+    }
+    digest_ = digest;
+
+    const bool throwing = FatalIOError.throwExceptions();
+    try
+    {
+        const dictionary& flow = input::subDict
+        (
+            input::subDict(mesh_.solutionDict(), "capsuleFoam"),
+            "flow"
+        );
+        permit(flow, own_);
+        for (const char* e : {"solver", "pRefCell", "pRefPoint", "pRefValue"})
+        {
+            const entry* now = flow.findEntry(e);
+            const entry* then = atStart_.findEntry(e);
+            if (bool(now) != bool(then) || (now && *now != *then))
+            {
+                IOWarningInFunction(flow)
+                    << "Entry " << e << " is read at the start of a run only:"
+                    << " its change counts after a restart" << endl;
+            }
+        }
+        readOwn(flow);
+        Info<< "Flow solver: its entries in fvSolution have been read again"
+            << endl;
+    }
+    catch (const Foam::IOerror& wrong)
+    {
+        WarningInFunction
+            << "Entries of " << mesh_.solutionDict().name()
+            << "/capsuleFoam/flow are wrong; the run goes on with those it"
+            << " had: " << wrong.message().c_str() << endl;
+    }
+    FatalIOError.throwExceptions(throwing);
 }

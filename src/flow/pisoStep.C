@@ -56,7 +56,12 @@ void Foam::capsule::pisoStep::correct
             fvm::laplacian(rAU, p_) == fvc::div(phiHbyA)
         );
         pEqn.setReference(pRefCell_, pRefValue_);
-        pEqn.solve(mesh_.solver(p_.select(lastOfAll)));
+        const solverPerformance found =
+            pEqn.solve(mesh_.solver(p_.select(lastOfAll)));
+        if (lastOfAll)
+        {
+            check(found);
+        }
 
         if (i == nNonOrthogonalCorrectors_)
         {
@@ -66,6 +71,36 @@ void Foam::capsule::pisoStep::correct
 
     U_ = HbyA - rAU*fvc::grad(p_);
     U_.correctBoundaryConditions();
+}
+
+
+void Foam::capsule::pisoStep::check(const solverPerformance& found)
+{
+    const scalar residual = found.finalResidual();
+    if (!found.converged() && !(residual < roundOff))
+    {
+        failure_ =
+            "the equation of the pressure is not solved: its residual is "
+          + Foam::name(residual) + " after " + Foam::name(found.nIterations())
+          + " iterations";
+    }
+}
+
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+void Foam::capsule::pisoStep::readOwn(const dictionary& dict)
+{
+    const label nCorrectors =
+        input::getBetweenOrDefault<label>(dict, "nCorrectors", 2, 1, 1000);
+    const label nNonOrthogonalCorrectors = input::getBetweenOrDefault<label>
+    (
+        dict, "nNonOrthogonalCorrectors", 0, 0, 1000
+    );
+    momentumPredictor_ =
+        input::getOrDefault<bool>(dict, "momentumPredictor", true);
+    nCorrectors_ = nCorrectors;
+    nNonOrthogonalCorrectors_ = nNonOrthogonalCorrectors;
 }
 
 
@@ -80,23 +115,9 @@ Foam::capsule::pisoStep::pisoStep
     const dimensionedScalar& rho
 )
 :
-    flowSolver(dict, U, p, phi, rho),
-    nCorrectors_
-    (
-        input::getBetweenOrDefault<label>(dict, "nCorrectors", 2, 1, 1000)
-    ),
-    nNonOrthogonalCorrectors_
-    (
-        input::getBetweenOrDefault<label>
-        (
-            dict, "nNonOrthogonalCorrectors", 0, 0, 1000
-        )
-    ),
-    momentumPredictor_
-    (
-        input::getOrDefault<bool>(dict, "momentumPredictor", true)
-    )
+    flowSolver(dict, U, p, phi, rho)
 {
+    pisoStep::readOwn(dict);
     if (rho.value() == 0 || word(mesh_.ddtScheme("ddt(U)")) == "steadyState")
     {
         FatalIOErrorInFunction(dict)
@@ -126,6 +147,7 @@ void Foam::capsule::pisoStep::solve
             << exit(FatalIOError);
     }
 
+    failure_.clear();
     if (momentumPredictor_)
     {
         Foam::solve(UEqn == -fvc::grad(p_));

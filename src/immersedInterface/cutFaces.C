@@ -11,36 +11,57 @@ License
 #include "cutFaces.H"
 #include "hexMatcher.H"
 #include "bitSet.H"
+#include "StringStream.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::capsule::cutFaces::checkCell(const label celli) const
+void Foam::capsule::cutFaces::checkCell(const label celli)
 {
     const fvMesh& mesh = levelSet_.mesh();
+    const char* wrong = nullptr;
 
     if (!hexMatcher().isA(mesh, celli))
     {
-        FatalErrorInFunction
-            << "The membrane cuts cell " << celli << " at "
-            << mesh.C()[celli] << ", which is not a hexahedron" << nl
-            << "    Cells at a membrane must be orthogonal hexahedra."
-            << exit(FatalError);
+        wrong = "not a hexahedron";
     }
-
     for (const label facei : mesh.cells()[celli])
     {
         const vector s = normalised(mesh.faceAreas()[facei]);
         const vector d =
             normalised(mesh.faceCentres()[facei] - mesh.cellCentres()[celli]);
-        if (mag(s & d) < 1 - 1e-6)
+        if (!wrong && mag(s & d) < 1 - 1e-6)
         {
-            FatalErrorInFunction
-                << "The membrane cuts cell " << celli << " at "
-                << mesh.C()[celli] << ", which is not orthogonal" << nl
-                << "    Cells at a membrane must be orthogonal hexahedra."
-                << exit(FatalError);
+            wrong = "not orthogonal";
         }
     }
+    if (wrong && wrong_.empty())
+    {
+        OStringStream message;
+        message
+            << "The membrane cuts cell " << celli << " at "
+            << mesh.cellCentres()[celli] << ", which is " << wrong << nl
+            << "    Cells at a membrane must be orthogonal hexahedra.";
+        wrong_ = message.str();
+    }
+}
+
+
+void Foam::capsule::cutFaces::checkCells() const
+{
+    // On all processors alike, for those who go on from it
+    const label proci = returnReduce
+    (
+        wrong_.empty() ? labelMax : Pstream::myProcNo(), minOp<label>()
+    );
+    if (proci == labelMax)
+    {
+        return;
+    }
+    List<string> wrong(Pstream::nProcs());
+    wrong[Pstream::myProcNo()] = wrong_;
+    Pstream::gatherList(wrong);
+    Pstream::scatterList(wrong);
+    FatalErrorInFunction << wrong[proci].c_str() << exit(FatalError);
 }
 
 
@@ -265,4 +286,5 @@ Foam::capsule::cutFaces::cutFaces(const membraneLevelSet& levelSet)
             }
         }
     }
+    checkCells();
 }

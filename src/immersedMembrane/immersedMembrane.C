@@ -91,6 +91,27 @@ void Foam::capsule::immersedMembrane::advance(const nodalVectors& nodes)
 }
 
 
+Foam::scalar Foam::capsule::immersedMembrane::forceNoise
+(
+    const closedCurve& curve
+) const
+{
+    // A wave from point to point, along and across the membrane, small against
+    // the distance of the points
+    const scalar height = 1e-4*curve.perimeter()/body_.size();
+    nodalVectors x(curve.nodes());
+    for (Eigen::Index i = 0; i < x.rows(); ++i)
+    {
+        x.row(i).array() += (i % 2 ? -height : height);
+    }
+    const nodalVectors change =
+        body_.force(closedCurve(body_.basis(), x), curve.metric())
+      - body_.force(curve, curve.metric());
+
+    return SMALL*curve.nodes().cwiseAbs().maxCoeff()/height*rms(change);
+}
+
+
 void Foam::capsule::immersedMembrane::setResponse
 (
     const closedCurve& ahead,
@@ -112,6 +133,7 @@ void Foam::capsule::immersedMembrane::setResponse
     );
     implicit_ = method.implicitStress();
     explicitForce_ = body_.force(ahead, curve().metric());
+    forceNoise_ = forceNoise(ahead);
     fluid_ = fluid;
     velocity_ = velocity;
     if (implicit_ && method.usesResponse())
@@ -139,6 +161,7 @@ Foam::capsule::immersedMembrane::immersedMembrane
 )
 :
     levelSet_(levelSetWritten::near),
+    forceNoise_(0),
     implicit_(true),
     mesh_(mesh),
     plane_(plane),
@@ -247,7 +270,8 @@ Foam::capsule::immersedMembrane::correct
     now.velocity = motion_->velocity(fluid);
     now.x = motion_->points(now.velocity);
 
-    const nodalVectors rest = contrastForce(driving) - now.force;
+    const nodalVectors contrast = contrastForce(driving);
+    const nodalVectors rest = contrast - now.force;
     const nodalScalars other = otherBalance();
     answer_.resize(4*n + other.size());
     answer_ << stacked(fluid), stacked(rest), other;
@@ -258,8 +282,12 @@ Foam::capsule::immersedMembrane::correct
         rms(F) + 0.5*(1 + ratio_)*mu_*rms(curve().ds(now.velocity)) + VSMALL;
     const nodalScalars change = step(imbalance);
 
+    const scalar shear = (1 + ratio_)*mu_*rms(now.velocity)/distance().width();
+    const scalar noise =
+        10*forceNoise_ + 100*SMALL*(rms(now.force) + rms(contrast) + shear);
+
     correction result;
-    result.stress = rms(unstacked(change))/size;
+    result.stress = max(rms(unstacked(change)) - noise, scalar(0))/size;
     result.displacement = cells(velocity_*change.head(2*n));
     return result;
 }

@@ -21,9 +21,9 @@ const Foam::scalar Foam::capsule::membraneSystem::farthest_ = 2;
 void Foam::capsule::membraneSystem::predict()
 {
     iter_ = 0;
-    placed_ = false;
-    converged_ = (size() == 0);
-    if (converged_)
+    nMoved_ = 0;
+    placed_ = converged_ = (size() == 0);
+    if (placed_)
     {
         return;
     }
@@ -36,12 +36,29 @@ void Foam::capsule::membraneSystem::predict()
         return;
     }
 
-    placed_ = true;
+    // What cannot be placed is an error on all processors alike
+    const bool throwing = FatalError.throwExceptions();
     label size = 0;
-    for (immersedMembrane& m : parts_)
+    try
     {
-        m.predict(*method_);
-        size += m.unknowns().size();
+        for (immersedMembrane& m : parts_)
+        {
+            ++nMoved_;
+            m.predict(*method_);
+            size += m.unknowns().size();
+        }
+        placed_ = true;
+    }
+    catch (const Foam::error& wrong)
+    {
+        failure_ =
+            "membrane " + parts_[nMoved_ - 1].body().name()
+          + " cannot be placed: " + wrong.message();
+    }
+    FatalError.throwExceptions(throwing);
+    if (!placed_)
+    {
+        return;
     }
 
     setScale();
@@ -97,7 +114,7 @@ bool Foam::capsule::membraneSystem::loop()
 }
 
 
-void Foam::capsule::membraneSystem::correct()
+void Foam::capsule::membraneSystem::correct(const bool solved)
 {
     if (size() == 0)
     {
@@ -130,7 +147,8 @@ void Foam::capsule::membraneSystem::correct()
     }
 
     converged_ =
-        stress < stressTolerance_ && displacement < displacementTolerance_;
+        solved
+     && stress < stressTolerance_ && displacement < displacementTolerance_;
 
     if (converged_ && offset > farthest_)
     {
@@ -157,15 +175,26 @@ void Foam::capsule::membraneSystem::correct()
 
 void Foam::capsule::membraneSystem::restore()
 {
-    if (placed_)
+    for (label i = 0; i < nMoved_; ++i)
     {
-        for (immersedMembrane& m : parts_)
-        {
-            m.restore();
-        }
-        setScale();
-        placed_ = false;
+        parts_[i].restore();
     }
+    if (nMoved_ > 0)
+    {
+        setScale();
+    }
+    nMoved_ = 0;
+    placed_ = false;
+}
+
+
+bool Foam::capsule::membraneSystem::read()
+{
+    WarningInFunction
+        << objectPath() << " has been changed: it is read at the start of a run"
+        << " only, the run goes on as it was; restart it for the change to"
+        << " count" << endl;
+    return true;
 }
 
 

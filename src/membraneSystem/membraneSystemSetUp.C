@@ -11,6 +11,74 @@ License
 #include "membraneSystem.H"
 #include "timeScheme.H"
 #include "sigFpe.H"
+#include "IFstream.H"
+#include "wordHashSet.H"
+#include <cctype>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+
+//- Can a name be that of a file and a word of a dictionary, in any program?
+static bool isName(const std::string& name)
+{
+    for (const unsigned char c : name)
+    {
+        if (c > 127 || !(std::isalnum(c) || c == '_' || c == '-' || c == '.'))
+        {
+            return false;
+        }
+    }
+    return !name.empty() && (std::isalnum(name[0]) || name[0] == '_');
+}
+
+
+//- The first dictionary that the text of a file has twice in another one of its
+//  top level, where OpenFOAM makes one of them; empty if there is none
+static string twice(const fileName& path, const word& in)
+{
+    IFstream is(path);
+    HashSet<string> names;
+    string name;
+    string top;
+    label depth = 0;
+    token t;
+    while (is.read(t).good() && t.good())
+    {
+        if (t == token::BEGIN_BLOCK)
+        {
+            if (depth == 0)
+            {
+                top = name;
+            }
+            else if (depth == 1 && top == in && !names.insert(name))
+            {
+                return name;
+            }
+            ++depth;
+        }
+        else if (t == token::END_BLOCK)
+        {
+            --depth;
+        }
+        else if (t.isWord())
+        {
+            name = t.wordToken();
+        }
+        else if (t.isString())
+        {
+            name = t.stringToken();
+        }
+    }
+    return string::null;
+}
+
+} // End namespace capsule
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -115,9 +183,40 @@ void Foam::capsule::membraneSystem::warnOfMomentumLayer
 }
 
 
+void Foam::capsule::membraneSystem::checkNames() const
+{
+    const dictionary& dict = subDict("membranes");
+    for (const entry& e : dict)
+    {
+        if (e.keyword().isPattern() || !isName(e.keyword()))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Membrane " << e.keyword() << ": a membrane's name is that"
+                << " of files and of dictionary entries; permitted: letters,"
+                << " digits, _, - and ., with a letter, a digit or _ first"
+                << exit(FatalIOError);
+        }
+    }
+
+    string name;
+    if (Pstream::master())
+    {
+        name = twice(filePath(), "membranes");
+    }
+    Pstream::scatter(name);
+    if (!name.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "There are two membranes " << name.c_str() << "; permitted:"
+            << " names that are different" << exit(FatalIOError);
+    }
+}
+
+
 void Foam::capsule::membraneSystem::readMembranes()
 {
     const dictionary& dict = input::subDict(*this, "membranes");
+    checkNames();
     if (dict.size())
     {
         clearance_.reset(new clearance(mesh_, plane_));
@@ -204,7 +303,7 @@ Foam::capsule::membraneSystem::membraneSystem
                 "membraneProperties",
                 U.time().constant(),
                 U.mesh(),
-                IOobject::MUST_READ,
+                IOobject::MUST_READ_IF_MODIFIED,
                 IOobject::NO_WRITE
             )
         )
@@ -240,6 +339,7 @@ Foam::capsule::membraneSystem::membraneSystem
     ),
     iter_(0),
     converged_(true),
+    nMoved_(0),
     placed_(false)
 {
     // Wrong time schemes stop here, before the first step

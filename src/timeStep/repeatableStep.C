@@ -33,7 +33,8 @@ void Foam::capsule::repeatableStep::grow()
 
 void Foam::capsule::repeatableStep::goBack()
 {
-    if (membranes_.size() > 0)
+    // A step that is refused before its flow has touched the time alone
+    if (membranes_.placed())
     {
         if (U_.older())
         {
@@ -43,6 +44,7 @@ void Foam::capsule::repeatableStep::goBack()
         p_.restore();
         phi_.restore();
         driving_.found(force_);
+        flow_.restore();
     }
     static_cast<TimeState&>(time_) = start_;
     membranes_.restore();
@@ -67,7 +69,8 @@ void Foam::capsule::repeatableStep::end(const string& failure)
              ? "    It has taken no step: nothing is written."
              : "    Its state is written, to restart from."
            )
-        << " See deltaT, and elasticLaw, bending, viscosity and coupling in "
+        << " See deltaT, capsuleFoam.flow in " << mesh_.solutionDict().name()
+        << ", and elasticLaw, bending, viscosity and coupling in "
         << membranes_.objectPath() << exit(FatalError);
 }
 
@@ -78,7 +81,7 @@ Foam::capsule::repeatableStep::repeatableStep
 (
     restartableTime& runTime,
     membraneSystem& membranes,
-    const flowSolver& flow,
+    flowSolver& flow,
     drivingForce& driving,
     volVectorField& U,
     volScalarField& p,
@@ -122,18 +125,15 @@ Foam::capsule::repeatableStep::repeatableStep
 void Foam::capsule::repeatableStep::start()
 {
     start_ = timeAtStart(time_);
-    if (membranes_.size() > 0)
-    {
-        U_.store();
-        p_.store();
-        phi_.store();
-        force_ = driving_.force();
+    U_.store();
+    p_.store();
+    phi_.store();
+    force_ = driving_.force();
 
-        // Cut again and again, an adjustable step may become ever smaller
-        const scalar decay = time_.isAdjustTimeStep() ? 0.9 : 1;
-        least_ =
-            max(time_.deltaTValue()/pow(2, maxCuts_), decay*least_);
-    }
+    // Cut again and again, an adjustable step may become ever smaller
+    const scalar decay = time_.isAdjustTimeStep() ? 0.9 : 1;
+    least_ = max(time_.deltaTValue()/pow(2, maxCuts_), decay*least_);
+
     ++time_;
 }
 
@@ -141,14 +141,17 @@ void Foam::capsule::repeatableStep::start()
 bool Foam::capsule::repeatableStep::repeat()
 {
     const bool balanced = flow_.unbalanced().empty();
-    if (balanced && membranes_.converged())
+    const bool solved = flow_.failure().empty();
+    if (balanced && solved && membranes_.converged())
     {
         flow_.sayContinuityErrors(membranes_.sources());
         grow();
         return false;
     }
-    const string& failure =
-        balanced ? membranes_.failure() : flow_.unbalanced();
+    const string failure =
+        !balanced ? flow_.unbalanced()
+      : !solved ? flow_.failure()
+      : membranes_.failure();
 
     const word failed(time_.timeName());
     const scalar deltaT = time_.deltaTValue();

@@ -109,15 +109,20 @@ int main(int argc, char *argv[])
 
             Info<< "Time = " << runTime.timeName() << nl << endl;
 
+            flow->readIfModified();
+
             // (A) Membranes of the step, momentum equation
             membranes.predict();
-            #include "UEqn.H"
-
-            // (B) Pressure, velocity, membranes and their stress
-            while (flow->unbalanced().empty() && membranes.loop())
+            if (membranes.placed())
             {
-                #include "pEqn.H"
-                membranes.correct();
+                #include "UEqn.H"
+
+                // (B) Pressure, velocity, membranes and their stress
+                while (flow->unbalanced().empty() && membranes.loop())
+                {
+                    #include "pEqn.H"
+                    membranes.correct(flow->failure().empty());
+                }
             }
         }
         while (step.repeat());

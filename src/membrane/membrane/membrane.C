@@ -170,7 +170,7 @@ Foam::capsule::membrane::membrane
     now_.inner.setZero(n, 2);
     now_.velocity.setZero(n, 2);
 
-    if (!readState(mesh.time()))
+    if (!readState(dict.topDict(), mesh.time()))
     {
         Info<< "Membrane " << name_ << ": starts as " << shape->type()
             << ", " << n << " points, " << initial.perimeter()/n/width

@@ -153,7 +153,57 @@ public:
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::capsule::membrane::readState(const Time& runTime)
+void Foam::capsule::membrane::checkStart
+(
+    const dictionary& file,
+    const Time& runTime,
+    const fileName& missing
+) const
+{
+    const scalar start = input::getBetweenOrDefault<scalar>
+    (
+        file, "startTime", 0, -input::largest, input::largest
+    );
+    const bool atStart =
+        Time::timeName(start) == Time::timeName(runTime.value());
+
+    if (!atStart)
+    {
+        FatalIOErrorInFunction(file)
+            << "The state of membrane " << name_ << ", " << missing
+            << ", is missing, and the time " << runTime.timeName()
+            << " is not that at which membranes have their shapes, startTime "
+            << start << nl
+            << "    If it has been lost, go on from an earlier time. To start"
+            << " membranes from their shapes at this time, in fields of another"
+            << " program, set startTime " << runTime.timeName() << "; in "
+            << file.name() << exit(FatalIOError);
+    }
+    if
+    (
+        !file.found("startTime")
+     && (
+            runTime.timeIndex() > 0
+         || isFile(runTime.timePath()/"levelSet." + name_)
+        )
+    )
+    {
+        FatalErrorInFunction
+            << "The state of membrane " << name_ << ", "
+            << missing << ", is missing, but a run has written"
+            << " this time" << nl
+            << "    To start membranes from their shapes, remove"
+            << " uniform/time and the files levelSet.* there."
+            << exit(FatalError);
+    }
+}
+
+
+bool Foam::capsule::membrane::readState
+(
+    const dictionary& properties,
+    const Time& runTime
+)
 {
     IOobject io(stateFile(name_, runTime, IOobject::MUST_READ));
     if (!io.typeHeaderOk<IOdictionary>(false))
@@ -165,20 +215,7 @@ bool Foam::capsule::membrane::readState(const Time& runTime)
                 << io.objectPath() << " is damaged: no header"
                 << exit(FatalError);
         }
-        if
-        (
-            runTime.timeIndex() > 0
-         || isFile(runTime.timePath()/"levelSet." + name_)
-        )
-        {
-            FatalErrorInFunction
-                << "The state of membrane " << name_ << ", "
-                << io.objectPath() << ", is missing, but a run has written"
-                << " this time" << nl
-                << "    To start membranes from their shapes, remove"
-                << " uniform/time and the files levelSet.* there."
-                << exit(FatalError);
-        }
+        checkStart(properties, runTime, io.objectPath());
         return false;
     }
     sigFpe::ignore untrapped;
