@@ -67,6 +67,25 @@ int main()
         check("extent", curve.extents()(0) - 4, 1e-10);
         check("Taylor deformation", curve.taylorDeformation() - 1.0/3, 1e-10);
         check("curvature at the tip", curve.curvature()(0) - 2, 1e-10);
+        for (const scalar angle : {-80.0, 0.0, 30.0, 90.0})
+        {
+            const scalar a = angle*pi/180;
+            nodalVectors x = curve.nodes();
+            x.col(0) = std::cos(a)*curve.nodes().col(0)
+              - std::sin(a)*curve.nodes().col(1);
+            x.col(1) = std::sin(a)*curve.nodes().col(0)
+              + std::cos(a)*curve.nodes().col(1);
+            check
+            (
+                "inclination",
+                closedCurve(basis, x).inclination() - a, 1e-10
+            );
+        }
+        check
+        (
+            "inclination of a circle",
+            closedCurve(basis, ellipse(basis, 2, 2)).inclination(), 0
+        );
         if (n == 33)
         {
             check("perimeter, 33 points", error, 1e-7);
@@ -124,16 +143,12 @@ int main()
     }
 
     // Bending: the derivative of the force against central differences, on an
-    // ellipse away from its reference circle, displaced by a smooth wave
+    // ellipse displaced by a smooth wave, away from its initial shape, a flatter
+    // one
     {
-        IStringStream is("type Helfrich; bendingModulus 0.7;");
-        autoPtr<bendingModel> bending
-        (
-            bendingModel::New(dictionary(is))
-        );
-        bending->setReference(closedCurve(basis, ellipse(basis, 1.5, 1.5)));
-
+        const closedCurve initial(basis, ellipse(basis, 1.8, 1.2));
         const nodalVectors x = ellipse(basis, 2, 1);
+        const closedCurve curve(basis, x);
         nodalVectors dx(basis.size(), 2);
         for (label i = 0; i < basis.size(); ++i)
         {
@@ -142,38 +157,92 @@ int main()
                 std::cos(3*basis.alpha(i)), std::sin(2*basis.alpha(i) + 1)
             );
         }
-        const closedCurve curve(basis, x);
-        const auto force = [&](const scalar step)
+        const auto model = [&](const char* reference)
         {
-            const closedCurve displaced(basis, x + step*dx);
+            IStringStream is
+            (
+                std::string("type Helfrich; bendingModulus 0.7; ") + reference
+            );
+            autoPtr<bendingModel> bending(bendingModel::New(dictionary(is)));
+            bending->setReference(initial);
+            return bending;
+        };
+        const auto force = [&](const bendingModel& bending, const scalar step)
+        {
             nodalVectors resultant = nodalVectors::Zero(basis.size(), 2);
-            bending->addResultant(displaced, resultant);
+            bending.addResultant
+            (
+                closedCurve(basis, x + step*dx), resultant
+            );
             return curve.ds(resultant);
         };
-        const nodalVectors slope = (force(1e-5) - force(-1e-5))/2e-5;
 
-        nodalMatrix jacobian =
-            nodalMatrix::Zero(2*basis.size(), 2*basis.size());
-        bending->addJacobian(curve, jacobian);
-        const nodalScalars product =
-            jacobian*Eigen::Map<const nodalScalars>(dx.data(), dx.size());
+        for
+        (
+            const char* reference :
+            {
+                "",
+                "referenceCurvature initial;",
+                "referenceCurvature none;",
+                "referenceCurvature 0.6;",
+                "referenceCurvature [0 -1 0 0 0 0 0] -0.6;"
+            }
+        )
+        {
+            const autoPtr<bendingModel> bending(model(reference));
+            const nodalVectors slope =
+                (force(*bending, 1e-5) - force(*bending, -1e-5))/2e-5;
+            nodalMatrix jacobian =
+                nodalMatrix::Zero(2*basis.size(), 2*basis.size());
+            bending->addJacobian(curve, jacobian);
+            Info<< reference << nl;
+            check
+            (
+                "derivative of the bending force, relative",
+                (jacobian*stacked(dx) - stacked(slope)).norm()/slope.norm(),
+                1e-6
+            );
+        }
+
+        // None at the initial shape where that is the reference; elsewhere the
+        // part of the initial curvature is the difference, and a curvature that
+        // is the same everywhere has no force
+        const auto resultant =
+            [&](const char* reference, const closedCurve& shape)
+        {
+            nodalVectors result = nodalVectors::Zero(basis.size(), 2);
+            model(reference)->addResultant(shape, result);
+            return result;
+        };
+        const nodalScalars kappa = curve.ds(initial.curvature());
         check
         (
-            "derivative of the bending force, relative",
-            (
-                product
-              - Eigen::Map<const nodalScalars>(slope.data(), slope.size())
-            ).norm()/slope.norm(),
-            1e-6
+            "bending of the initial shape as reference",
+            resultant("", initial).cwiseAbs().maxCoeff(), 1e-9
         );
-
-        // A circle at its reference has none
-        nodalVectors none = nodalVectors::Zero(basis.size(), 2);
-        bending->addResultant
+        check
         (
-            closedCurve(basis, ellipse(basis, 1.5, 1.5)), none
+            "bending without a reference less that from the initial shape",
+            (
+                resultant("referenceCurvature none;", curve)
+              - resultant("referenceCurvature initial;", curve)
+              - scaled(0.7*kappa, curve.normal())
+            ).cwiseAbs().maxCoeff(), 1e-9
         );
-        check("bending of the reference", none.cwiseAbs().maxCoeff(), 1e-9);
+        check
+        (
+            "bending by a uniform reference less that without one",
+            (
+                resultant("referenceCurvature 0.6;", curve)
+              - resultant("referenceCurvature none;", curve)
+            ).cwiseAbs().maxCoeff(), 1e-9
+        );
+        check
+        (
+            "bending without a reference, at least 0.1",
+            0.1/resultant("referenceCurvature none;", initial)
+               .cwiseAbs().maxCoeff(), 1
+        );
     }
 
     // A normal force cos(m theta) on a circle of radius R in one viscosity
