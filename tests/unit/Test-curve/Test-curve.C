@@ -10,8 +10,9 @@ Application
     Test-curve
 
 Description
-    Unit tests of curve geometry, shapes, elastic laws, membrane forces and
-    free-space responses against exact values. Returns the number of failures.
+    Unit tests of curve geometry, shapes, elastic laws, membrane forces,
+    free-space responses and the motion of points along a drop against exact
+    values. Returns the number of failures.
 
 \*---------------------------------------------------------------------------*/
 
@@ -19,6 +20,7 @@ Description
 #include "elasticLaw.H"
 #include "bendingModel.H"
 #include "freeSpaceResponse.H"
+#include "membraneMotion.H"
 #include "mathematicalConstants.H"
 #include "IOstreams.H"
 #include "IStringStream.H"
@@ -280,6 +282,93 @@ int main()
             "free-space traction of a uniform pressure",
             (K*ns - 0.5*ns).cwiseAbs().maxCoeff(), 1e-10
         );
+    }
+
+    // Integral over the parameter
+    for (const label n : {16, 17})
+    {
+        const periodicBasis nodes(n);
+        nodalScalars f(n);
+        nodalScalars exact(n);
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar a = nodes.alpha(i);
+            f(i) = 3 + std::cos(2*a) + std::sin(5*a);
+            exact(i) = 0.5*std::sin(2*a) - 0.2*std::cos(5*a);
+        }
+        check
+        (
+            "integral over the parameter",
+            (nodes.integrated(f) - exact).cwiseAbs().maxCoeff(), 1e-13
+        );
+    }
+
+    // Points of a drop move with it, and stand still as it turns
+    {
+        const closedCurve body(basis, ellipse(basis, 2, 1));
+        const nodalScalars even = nodalScalars::Ones(basis.size());
+        nodalVectors U(basis.size(), 2);
+        U.col(0).setConstant(0.7);
+        U.col(1).setConstant(-0.3);
+        check
+        (
+            "points of a drop carried",
+            membraneMotion::excess(body, even, U, 1).cwiseAbs().maxCoeff(),
+            1e-12
+        );
+        U.col(0) = -circle.nodes().col(1);
+        U.col(1) = circle.nodes().col(0).array() - 3;
+        check
+        (
+            "points of a drop turning",
+            (
+                membraneMotion::excess(circle, even, U, 1).array() + 2
+            ).abs().maxCoeff(),
+            1e-12
+        );
+
+        // In a flow that stretches it their stretch stays uniform
+        U.col(0) = body.nodes().col(0).array() - 3;
+        U.col(1) = -body.nodes().col(1);
+        const nodalVectors V =
+            U
+          + scaled
+            (
+                membraneMotion::excess(body, body.metric(), U, 1),
+                body.tangent()
+            );
+        const nodalScalars rate =
+            dot(body.ds(V), body.tangent());
+        check
+        (
+            "stretch of a drop stays uniform",
+            rate.maxCoeff() - rate.minCoeff(), 1e-8
+        );
+    }
+
+    // Round an ellipse that flow goes along, uneven points become even and
+    // stand still; at the end the fluid goes round about five times
+    {
+        const nodalScalars even = nodalScalars::Ones(basis.size());
+        nodalVectors x = ellipse(basis, 2, 1);
+        nodalScalars pace;
+        for (label step = 0; step < 600; ++step)
+        {
+            const closedCurve now(basis, x);
+            nodalVectors U(basis.size(), 2);
+            U.col(0) = -2*x.col(1);
+            U.col(1) = 0.5*(x.col(0).array() - 3).matrix();
+            const nodalScalars w = membraneMotion::excess(now, even, U, 5);
+            pace = dot(U, now.tangent()) + w;
+            x += 0.05*(U + scaled(w, now.tangent()));
+        }
+        const nodalScalars g = closedCurve(basis, x).metric();
+        check
+        (
+            "points become even",
+            g.maxCoeff()/g.minCoeff() - 1, 1e-4
+        );
+        check("points stand still", pace.cwiseAbs().maxCoeff(), 1e-3);
     }
 
     return failed;
