@@ -227,10 +227,19 @@ Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted
 {
     const membrane::state& now = body_.now();
 
-    return
-        body_.nOld() == 0
-      ? nodalVectors(now.x + dt*now.velocity)
-      : nodalVectors(now.x + dt/dt0*(now.x - body_.old(0).x));
+    if (body_.nOld() > 0)
+    {
+        return now.x + dt/dt0*(now.x - body_.old(0).x);
+    }
+    nodalVectors velocity = now.velocity;
+    const closedCurve curve = body_.curve();
+    const nodalScalars w =
+        membraneMotion::excess(body_, curve, velocity, 0.25/dt);
+    if (w.size())
+    {
+        velocity += scaled(w, curve.tangent());
+    }
+    return now.x + dt*velocity;
 }
 
 

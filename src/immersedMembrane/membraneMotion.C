@@ -50,11 +50,58 @@ Foam::capsule::membraneMotion::membraneMotion
     interface_(interface),
     scheme_(scheme),
     conserveArea_(conserveArea),
-    filter_(filter)
-{}
+    filter_(filter),
+    excess_(excess(body, interface, body.now().velocity, 0.25*scheme.c))
+{
+    if (excess_.size())
+    {
+        excess_ = filter_*excess_;
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::capsule::nodalScalars Foam::capsule::membraneMotion::excess
+(
+    const closedCurve& curve,
+    const nodalScalars& reference,
+    const nodalVectors& U,
+    const scalar fastest
+)
+{
+    // Rate of change of the metric that the fluid makes
+    const nodalScalars& g = curve.metric();
+    const nodalVectors slope = curve.basis().derivative()*U;
+    const nodalScalars rate = dot(slope, curve.tangent());
+    const scalar decay = min(fastest, rate.norm()/g.norm());
+
+    const nodalScalars change = rate + decay*g;
+    nodalScalars w = curve.basis().integrated
+    (
+        change.sum()/reference.sum()*reference - change
+    );
+    const nodalScalars along = dot(U, curve.tangent()) + w;
+    w.array() -= curve.integral(along)/curve.perimeter();
+    return w;
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::membraneMotion::excess
+(
+    const membrane& body,
+    const closedCurve& curve,
+    const nodalVectors& U,
+    const scalar fastest
+)
+{
+    if (body.material())
+    {
+        return nodalScalars();
+    }
+    return excess(curve, body.referenceMetric(), U, fastest);
+}
+
 
 Foam::capsule::nodalVectors Foam::capsule::membraneMotion::velocity
 (
@@ -81,6 +128,10 @@ Foam::capsule::nodalVectors Foam::capsule::membraneMotion::points
     if (scheme_.c00 != 0)
     {
         x -= scheme_.c00*body_.old(1).x;
+    }
+    if (excess_.size())
+    {
+        x += scaled(excess_, interface_.tangent());
     }
     x /= scheme_.c;
 

@@ -92,6 +92,11 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::inertia() const
     {
         force += scheme.c00*body_.old(1).velocity;
     }
+    if (scheme.c != 0 && excess().size())
+    {
+        // The points pass along the fluid: Du/Dt = du/dt - w du/ds
+        force -= scaled(excess(), curve().ds(now.velocity));
+    }
     force *= rho_;
 
     const nodalScalars vorticity = now.inner.col(0);

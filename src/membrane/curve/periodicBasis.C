@@ -82,6 +82,31 @@ Foam::capsule::nodalScalars Foam::capsule::periodicBasis::functions
 }
 
 
+Foam::capsule::nodalScalars Foam::capsule::periodicBasis::integrated
+(
+    const nodalScalars& f
+) const
+{
+    // A pair cos k, sin k of coefficients (a, b) becomes (-b, a)/k; the
+    // highest cosine of an even N has no integral at the nodes
+    const nodalScalars coeffs = analysis_*f;
+    nodalScalars turned = nodalScalars::Zero(n_);
+    for (label i = 1; i + 1 < n_; i += 2)
+    {
+        const scalar k = (i + 1)/2;
+        turned(i) = -coeffs(i + 1)/k;
+        turned(i + 1) = coeffs(i)/k;
+    }
+
+    nodalScalars result(n_);
+    for (label j = 0; j < n_; ++j)
+    {
+        result(j) = functions(alpha(j)).dot(turned);
+    }
+    return result;
+}
+
+
 Foam::capsule::nodalMatrix Foam::capsule::periodicBasis::evaluation
 (
     const nodalScalars& alphas

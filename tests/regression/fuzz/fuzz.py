@@ -48,15 +48,19 @@ APART = {
 # Entries of function objects that OpenFOAM reads, and its scheme for all other terms
 FOREIGN = r'functions(\.\w+)?|functions\.\w+\.(type|libs|writeControl)|ddtSchemes|ddtSchemes\.default'
 
+# Laws without tension by stretch permit no other
+UNSTRETCHED = ('initialStretch  1.05', 'initialStretch  1')
+
 # Other types, whose own entries are mutated: replacements of text, and the entries
 VARIANTS = {
     'circle': (MEMBRANES, [('biconcave', 'circle')], r'shape\.radius'),
     'ellipse': (MEMBRANES, [('biconcave', 'ellipse'), ('radius  ', 'semiAxes'), ('0.25;', '(0.3 0.2);')], r'shape\.semiAxes'),
     'points': (MEMBRANES, [('biconcave', 'points'), ('radius ', 'file '), ('0.25;', '"constant/outline";')], r'shape\.file'),
     'Hookean': (MEMBRANES, [('neoHookean', 'Hookean'), ('shearModulus', 'elasticModulus')], r'elasticLaw\.'),
-    'surfaceTension': (MEMBRANES, [('neoHookean', 'surfaceTension'), ('shearModulus', 'surfaceTension')], r'elasticLaw\.'),
-    'noTension': (MEMBRANES, [('neoHookean', 'none')], r'elasticLaw\.'),
+    'surfaceTension': (MEMBRANES, [('neoHookean', 'surfaceTension'), ('shearModulus', 'surfaceTension'), UNSTRETCHED], r'elasticLaw\.'),
+    'noTension': (MEMBRANES, [('neoHookean', 'none'), UNSTRETCHED], r'elasticLaw\.'),
     'noBending': (MEMBRANES, [('Helfrich', 'none')], r'bending\.'),
+    'curvature': (MEMBRANES, [('referenceCurvature none', 'referenceCurvature 4')], r'bending\.referenceCurvature'),
     'load': (MEMBRANES, [('points  ', 'load { type none; }\n        points  ')], r'cell\.load'),
     'fixedPoint': (MEMBRANES, [('quasiNewton;', 'fixedPoint;\n    relaxation              0.5;')], r'coupling\.relax'),
     'explicit': (MEMBRANES, [('quasiNewton;', 'explicit;')], r'coupling\.type'),
@@ -68,14 +72,16 @@ VARIANTS = {
 
 # Mutations that leave the case a valid one: variant, entry and mutation as regular expressions
 VALID = [
-    (r'base|circle|ellipse|points|fractionalStep', r'cell\.(points|levelSet)|angle|clustering|coupling\.(\w+Tolerance|maxIter|conserveArea)|flow\.(tolerance|maxIter|directions|refactor)', 'removed'),
+    (r'base|circle|ellipse|points|fractionalStep', r'cell\.(points|levelSet)|angle|clustering|initialStretch|referenceCurvature|coupling\.(\w+Tolerance|maxIter|conserveArea)|flow\.(tolerance|maxIter|directions|refactor)', 'removed'),
     ('fixedPoint', 'relaxation', 'removed'),
     ('load', r'cell\.load', 'removed'),
     ('.*', r'ddt\((U|membranes)\)', 'removed'),
     ('.*', r'measures\.lines|energy\.largestImbalance', 'removed'),
     ('.*', r'energy\.largestImbalance', 'small'),
     ('noTension', r'elasticLaw\.shearModulus', '(?!misspelt|beyond).*'),
-    ('noBending', r'bending\.bendingModulus', '(?!misspelt|beyond).*'),
+    ('noBending', r'bending\.(bendingModulus|referenceCurvature)', '(?!misspelt|beyond).*'),
+    ('base', r'bending\.referenceCurvature', 'wrong type: a number'),
+    ('curvature', r'bending\.referenceCurvature', 'removed|zero|negative|tiny|small'),
     ('.*', 'angle', 'zero|negative|tiny|small'),
     ('.*', 'clustering', 'zero|tiny|small'),
     ('.*', 'pRefValue', 'zero|negative|tiny|small'),

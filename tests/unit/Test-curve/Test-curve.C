@@ -10,8 +10,9 @@ Application
     Test-curve
 
 Description
-    Unit tests of curve geometry, shapes, elastic laws, membrane forces and
-    free-space responses against exact values. Returns the number of failures.
+    Unit tests of curve geometry, shapes, elastic laws, membrane forces,
+    free-space responses and the motion of points along a drop against exact
+    values. Returns the number of failures.
 
 \*---------------------------------------------------------------------------*/
 
@@ -19,6 +20,7 @@ Description
 #include "elasticLaw.H"
 #include "bendingModel.H"
 #include "freeSpaceResponse.H"
+#include "membraneMotion.H"
 #include "mathematicalConstants.H"
 #include "IOstreams.H"
 #include "IStringStream.H"
@@ -67,6 +69,25 @@ int main()
         check("extent", curve.extents()(0) - 4, 1e-10);
         check("Taylor deformation", curve.taylorDeformation() - 1.0/3, 1e-10);
         check("curvature at the tip", curve.curvature()(0) - 2, 1e-10);
+        for (const scalar angle : {-80.0, 0.0, 30.0, 90.0})
+        {
+            const scalar a = angle*pi/180;
+            nodalVectors x = curve.nodes();
+            x.col(0) = std::cos(a)*curve.nodes().col(0)
+              - std::sin(a)*curve.nodes().col(1);
+            x.col(1) = std::sin(a)*curve.nodes().col(0)
+              + std::cos(a)*curve.nodes().col(1);
+            check
+            (
+                "inclination",
+                closedCurve(basis, x).inclination() - a, 1e-10
+            );
+        }
+        check
+        (
+            "inclination of a circle",
+            closedCurve(basis, ellipse(basis, 2, 2)).inclination(), 0
+        );
         if (n == 33)
         {
             check("perimeter, 33 points", error, 1e-7);
@@ -124,16 +145,12 @@ int main()
     }
 
     // Bending: the derivative of the force against central differences, on an
-    // ellipse away from its reference circle, displaced by a smooth wave
+    // ellipse displaced by a smooth wave, away from its initial shape, a flatter
+    // one
     {
-        IStringStream is("type Helfrich; bendingModulus 0.7;");
-        autoPtr<bendingModel> bending
-        (
-            bendingModel::New(dictionary(is))
-        );
-        bending->setReference(closedCurve(basis, ellipse(basis, 1.5, 1.5)));
-
+        const closedCurve initial(basis, ellipse(basis, 1.8, 1.2));
         const nodalVectors x = ellipse(basis, 2, 1);
+        const closedCurve curve(basis, x);
         nodalVectors dx(basis.size(), 2);
         for (label i = 0; i < basis.size(); ++i)
         {
@@ -142,38 +159,92 @@ int main()
                 std::cos(3*basis.alpha(i)), std::sin(2*basis.alpha(i) + 1)
             );
         }
-        const closedCurve curve(basis, x);
-        const auto force = [&](const scalar step)
+        const auto model = [&](const char* reference)
         {
-            const closedCurve displaced(basis, x + step*dx);
+            IStringStream is
+            (
+                std::string("type Helfrich; bendingModulus 0.7; ") + reference
+            );
+            autoPtr<bendingModel> bending(bendingModel::New(dictionary(is)));
+            bending->setReference(initial);
+            return bending;
+        };
+        const auto force = [&](const bendingModel& bending, const scalar step)
+        {
             nodalVectors resultant = nodalVectors::Zero(basis.size(), 2);
-            bending->addResultant(displaced, resultant);
+            bending.addResultant
+            (
+                closedCurve(basis, x + step*dx), resultant
+            );
             return curve.ds(resultant);
         };
-        const nodalVectors slope = (force(1e-5) - force(-1e-5))/2e-5;
 
-        nodalMatrix jacobian =
-            nodalMatrix::Zero(2*basis.size(), 2*basis.size());
-        bending->addJacobian(curve, jacobian);
-        const nodalScalars product =
-            jacobian*Eigen::Map<const nodalScalars>(dx.data(), dx.size());
+        for
+        (
+            const char* reference :
+            {
+                "",
+                "referenceCurvature initial;",
+                "referenceCurvature none;",
+                "referenceCurvature 0.6;",
+                "referenceCurvature [0 -1 0 0 0 0 0] -0.6;"
+            }
+        )
+        {
+            const autoPtr<bendingModel> bending(model(reference));
+            const nodalVectors slope =
+                (force(*bending, 1e-5) - force(*bending, -1e-5))/2e-5;
+            nodalMatrix jacobian =
+                nodalMatrix::Zero(2*basis.size(), 2*basis.size());
+            bending->addJacobian(curve, jacobian);
+            Info<< reference << nl;
+            check
+            (
+                "derivative of the bending force, relative",
+                (jacobian*stacked(dx) - stacked(slope)).norm()/slope.norm(),
+                1e-6
+            );
+        }
+
+        // None at the initial shape where that is the reference; elsewhere the
+        // part of the initial curvature is the difference, and a curvature that
+        // is the same everywhere has no force
+        const auto resultant =
+            [&](const char* reference, const closedCurve& shape)
+        {
+            nodalVectors result = nodalVectors::Zero(basis.size(), 2);
+            model(reference)->addResultant(shape, result);
+            return result;
+        };
+        const nodalScalars kappa = curve.ds(initial.curvature());
         check
         (
-            "derivative of the bending force, relative",
-            (
-                product
-              - Eigen::Map<const nodalScalars>(slope.data(), slope.size())
-            ).norm()/slope.norm(),
-            1e-6
+            "bending of the initial shape as reference",
+            resultant("", initial).cwiseAbs().maxCoeff(), 1e-9
         );
-
-        // A circle at its reference has none
-        nodalVectors none = nodalVectors::Zero(basis.size(), 2);
-        bending->addResultant
+        check
         (
-            closedCurve(basis, ellipse(basis, 1.5, 1.5)), none
+            "bending without a reference less that from the initial shape",
+            (
+                resultant("referenceCurvature none;", curve)
+              - resultant("referenceCurvature initial;", curve)
+              - scaled(0.7*kappa, curve.normal())
+            ).cwiseAbs().maxCoeff(), 1e-9
         );
-        check("bending of the reference", none.cwiseAbs().maxCoeff(), 1e-9);
+        check
+        (
+            "bending by a uniform reference less that without one",
+            (
+                resultant("referenceCurvature 0.6;", curve)
+              - resultant("referenceCurvature none;", curve)
+            ).cwiseAbs().maxCoeff(), 1e-9
+        );
+        check
+        (
+            "bending without a reference, at least 0.1",
+            0.1/resultant("referenceCurvature none;", initial)
+               .cwiseAbs().maxCoeff(), 1
+        );
     }
 
     // A normal force cos(m theta) on a circle of radius R in one viscosity
@@ -211,6 +282,93 @@ int main()
             "free-space traction of a uniform pressure",
             (K*ns - 0.5*ns).cwiseAbs().maxCoeff(), 1e-10
         );
+    }
+
+    // Integral over the parameter
+    for (const label n : {16, 17})
+    {
+        const periodicBasis nodes(n);
+        nodalScalars f(n);
+        nodalScalars exact(n);
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar a = nodes.alpha(i);
+            f(i) = 3 + std::cos(2*a) + std::sin(5*a);
+            exact(i) = 0.5*std::sin(2*a) - 0.2*std::cos(5*a);
+        }
+        check
+        (
+            "integral over the parameter",
+            (nodes.integrated(f) - exact).cwiseAbs().maxCoeff(), 1e-13
+        );
+    }
+
+    // Points of a drop move with it, and stand still as it turns
+    {
+        const closedCurve body(basis, ellipse(basis, 2, 1));
+        const nodalScalars even = nodalScalars::Ones(basis.size());
+        nodalVectors U(basis.size(), 2);
+        U.col(0).setConstant(0.7);
+        U.col(1).setConstant(-0.3);
+        check
+        (
+            "points of a drop carried",
+            membraneMotion::excess(body, even, U, 1).cwiseAbs().maxCoeff(),
+            1e-12
+        );
+        U.col(0) = -circle.nodes().col(1);
+        U.col(1) = circle.nodes().col(0).array() - 3;
+        check
+        (
+            "points of a drop turning",
+            (
+                membraneMotion::excess(circle, even, U, 1).array() + 2
+            ).abs().maxCoeff(),
+            1e-12
+        );
+
+        // In a flow that stretches it their stretch stays uniform
+        U.col(0) = body.nodes().col(0).array() - 3;
+        U.col(1) = -body.nodes().col(1);
+        const nodalVectors V =
+            U
+          + scaled
+            (
+                membraneMotion::excess(body, body.metric(), U, 1),
+                body.tangent()
+            );
+        const nodalScalars rate =
+            dot(body.ds(V), body.tangent());
+        check
+        (
+            "stretch of a drop stays uniform",
+            rate.maxCoeff() - rate.minCoeff(), 1e-8
+        );
+    }
+
+    // Round an ellipse that flow goes along, uneven points become even and
+    // stand still; at the end the fluid goes round about five times
+    {
+        const nodalScalars even = nodalScalars::Ones(basis.size());
+        nodalVectors x = ellipse(basis, 2, 1);
+        nodalScalars pace;
+        for (label step = 0; step < 600; ++step)
+        {
+            const closedCurve now(basis, x);
+            nodalVectors U(basis.size(), 2);
+            U.col(0) = -2*x.col(1);
+            U.col(1) = 0.5*(x.col(0).array() - 3).matrix();
+            const nodalScalars w = membraneMotion::excess(now, even, U, 5);
+            pace = dot(U, now.tangent()) + w;
+            x += 0.05*(U + scaled(w, now.tangent()));
+        }
+        const nodalScalars g = closedCurve(basis, x).metric();
+        check
+        (
+            "points become even",
+            g.maxCoeff()/g.minCoeff() - 1, 1e-4
+        );
+        check("points stand still", pace.cwiseAbs().maxCoeff(), 1e-3);
     }
 
     return failed;
