@@ -10,6 +10,7 @@ License
 
 #include "membraneSystem.H"
 #include "profiling.H"
+#include "fileOperation.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -194,6 +195,10 @@ bool Foam::capsule::membraneSystem::read()
         << objectPath() << " has been changed: it is read at the start of a run"
         << " only, the run goes on as it was; restart it for the change to"
         << " count" << endl;
+    for (const label watch : watchIndices())
+    {
+        fileHandler().setUnmodified(watch);
+    }
     return true;
 }
 
