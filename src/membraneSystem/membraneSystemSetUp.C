@@ -36,9 +36,10 @@ static bool isName(const std::string& name)
 }
 
 
-//- The first dictionary that the text of a file has twice in another one of its
-//  top level, where OpenFOAM makes one of them; empty if there is none
-static string twice(const fileName& path, const word& in)
+//- The first dictionary in another one of the top level whose name in the text
+//  of a file is no name, or is there twice: OpenFOAM makes nested dictionaries
+//  of a/b, and one of two of the same name; empty if there is none
+static string wrongName(const fileName& path, const word& in)
 {
     IFstream is(path);
     HashSet<string> names;
@@ -54,7 +55,11 @@ static string twice(const fileName& path, const word& in)
             {
                 top = name;
             }
-            else if (depth == 1 && top == in && !names.insert(name))
+            else if
+            (
+                depth == 1 && top == in
+             && (!isName(name) || !names.insert(name))
+            )
             {
                 return name;
             }
@@ -71,6 +76,10 @@ static string twice(const fileName& path, const word& in)
         else if (t.isString())
         {
             name = t.stringToken();
+        }
+        else if (t == token::DIVIDE)
+        {
+            name += '/';
         }
     }
     return string::null;
@@ -185,30 +194,32 @@ void Foam::capsule::membraneSystem::warnOfMomentumLayer
 
 void Foam::capsule::membraneSystem::checkNames() const
 {
-    const dictionary& dict = subDict("membranes");
+    const dictionary& dict = input::subDict(*this, "membranes");
+    const auto refuse = [&](const std::string& name)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Membrane " << name.c_str() << ": a membrane's name is that"
+            << " of files and of dictionary entries, each once; permitted:"
+            << " letters, digits, _, - and ., with a letter, a digit or _"
+            << " first, and no two the same" << exit(FatalIOError);
+    };
     for (const entry& e : dict)
     {
         if (e.keyword().isPattern() || !isName(e.keyword()))
         {
-            FatalIOErrorInFunction(dict)
-                << "Membrane " << e.keyword() << ": a membrane's name is that"
-                << " of files and of dictionary entries; permitted: letters,"
-                << " digits, _, - and ., with a letter, a digit or _ first"
-                << exit(FatalIOError);
+            refuse(e.keyword());
         }
     }
 
     string name;
     if (Pstream::master())
     {
-        name = twice(filePath(), "membranes");
+        name = wrongName(filePath(), "membranes");
     }
     Pstream::scatter(name);
     if (!name.empty())
     {
-        FatalIOErrorInFunction(dict)
-            << "There are two membranes " << name.c_str() << "; permitted:"
-            << " names that are different" << exit(FatalIOError);
+        refuse(name);
     }
 }
 
@@ -216,7 +227,6 @@ void Foam::capsule::membraneSystem::checkNames() const
 void Foam::capsule::membraneSystem::readMembranes()
 {
     const dictionary& dict = input::subDict(*this, "membranes");
-    checkNames();
     if (dict.size())
     {
         clearance_.reset(new clearance(mesh_, plane_));
@@ -315,7 +325,14 @@ Foam::capsule::membraneSystem::membraneSystem
     rho_(rho.value()),
     mu_(mu.value()),
     driving_(driving),
-    method_(couplingMethod::New(input::subDict(*this, "coupling"))),
+    method_
+    (
+        // Wrong names may have taken the rest of the file with them
+        (
+            checkNames(),
+            couplingMethod::New(input::subDict(*this, "coupling"))
+        )
+    ),
     stressTolerance_
     (
         input::getBetweenOrDefault<scalar>
