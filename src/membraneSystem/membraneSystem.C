@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneSystem.H"
+#include "kineticEnergyRate.H"
 #include "profiling.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -205,4 +206,5 @@ void Foam::capsule::membraneSystem::write() const
     {
         m.write();
     }
+    kineticEnergyRate::write(U_, rho_);
 }
