@@ -14,7 +14,6 @@ License
 #include "fvc.H"
 #include "gaussGrad.H"
 #include "zeroGradientFvPatchFields.H"
-#include <algorithm>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
