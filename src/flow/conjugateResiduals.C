@@ -140,10 +140,12 @@ Foam::string Foam::capsule::conjugateResiduals::converge
         << ", No Iterations " << iter
         << (solved ? "" : ", above the tolerance") << endl;
 
+    if (solved)
+    {
+        return string::null;
+    }
     return
-        solved
-      ? string::null
-      : "the flow is not solved: the residual of " + string(what) + " is "
+        "the flow is not solved: the residual of " + string(what) + " is "
       + Foam::name(norm/reference) + " after " + Foam::name(iter)
       + " iterations, above the tolerance of " + Foam::name(tolerance_);
 }

@@ -12,7 +12,7 @@ License
 #include "timeScheme.H"
 #include "sigFpe.H"
 #include "IFstream.H"
-#include "wordHashSet.H"
+#include "HashSet.H"
 #include <cctype>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
