@@ -177,6 +177,10 @@ bool Foam::functionObjects::wallStress::write()
             file() << endl;
         }
     }
-    shear.write();
+    if (postProcess || mesh_.time().writeTime())
+    {
+        // Not a time of its own, which nothing could go on from
+        shear.write();
+    }
     return true;
 }
