@@ -74,7 +74,7 @@ Foam::capsule::nodalScalars Foam::capsule::membraneMotion::excess
     const nodalScalars& g = curve.metric();
     const nodalVectors slope = curve.basis().derivative()*U;
     const nodalScalars rate = dot(slope, curve.tangent());
-    const scalar decay = min(fastest, rate.norm()/g.norm());
+    const scalar decay = min(fastest, slope.norm()/g.norm());
 
     const nodalScalars change = rate + decay*g;
     nodalScalars w = curve.basis().integrated
