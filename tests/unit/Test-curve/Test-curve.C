@@ -288,7 +288,7 @@ int main()
             const closedCurve now(basis, x);
             nodalVectors U(basis.size(), 2);
             U.col(0) = -1.4*x.col(1);
-            U.col(1) = (x.col(0).array() - 3)/1.4.matrix();
+            U.col(1) = ((x.col(0).array() - 3)/1.4).matrix();
             const nodalScalars w = membraneMotion::excess(now, even, U, 5);
             pace = dot(U, now.tangent()) + w;
             x += 0.05*(U + scaled(w, now.tangent()));
