@@ -66,14 +66,28 @@ capsule_tree()
     mv "$work"/openfoam-*/ "$tree" && rm -rf "$work"
 }
 
-# WM_PROJECT_VERSION or the api number, as one number such as 1912
+# The API number of the OpenFOAM sourced, such as 1912; other branches of OpenFOAM have none.
+# Distributions name their versions as they like, so WM_PROJECT_VERSION is only the last resort.
+capsule_api()
+{
+    local api=${FOAM_API:-}
+    [ -n "$api" ] || api=$(sed -n 's/^api=//p' "$WM_PROJECT_DIR/META-INFO/api-info" 2>/dev/null)
+    [ -n "$api" ] || api=$(expr "${WM_PROJECT_VERSION:-}" : 'v\([0-9][0-9][0-9][0-9]\)' || true)
+    echo "$api"
+}
+
 capsule_check()
 {
-    local api=${WM_PROJECT_VERSION#v}
+    local api supported="the openfoam.com releases v1912 to v2512"
+    api=$(capsule_api)
     case "$api" in
-        1912|2[0-9][01][0-9]*) ;;
-        *) capsule_fail "OpenFOAM '$WM_PROJECT_VERSION' is not supported; supported: the openfoam.com releases v1912 to v2512"; return 1 ;;
+        [0-9][0-9][0-9][0-9]) ;;
+        *) capsule_fail "OpenFOAM '${WM_PROJECT_VERSION:-}' in $WM_PROJECT_DIR has no API number; supported: $supported"; return 1 ;;
     esac
+    [ "$api" -ge 1912 ] \
+        || { capsule_fail "OpenFOAM API $api in $WM_PROJECT_DIR is too old; supported: $supported"; return 1; }
+    [ "$api" -le 2512 ] \
+        || capsule_say "OpenFOAM API $api in $WM_PROJECT_DIR is newer than any tried; supported: $supported" >&2
     command -v wmake >/dev/null \
         || { capsule_fail "OpenFOAM $WM_PROJECT_VERSION is sourced, but has no wmake: install its development package"; return 1; }
     export CAPSULE_EIGEN=${CAPSULE_EIGEN:-/usr/include/eigen3}

@@ -210,8 +210,10 @@ void Foam::extrapolatedOutletFvPatchVectorField::updateCoeffs()
     }
     for (scalarList* list : {&areas, &last, &ahead, &rest})
     {
-        Pstream::listCombineGather(*list, plusEqOp<scalar>());
-        Pstream::listCombineScatter(*list);
+        for (scalar& sum : *list)
+        {
+            reduce(sum, sumOp<scalar>());
+        }
     }
     const scalar area = sum(areas) + rest[1];
     const scalar missing = -sum(last) - rest[0];

@@ -82,14 +82,9 @@ static string imbalance(const volVectorField& U)
         names.append(Up.patch().name());
         fluxes.append(sum(flux));
     }
-    fluxes.append(in);
-    fluxes.append(out);
-    fluxes.append(moved);
-    Pstream::listCombineGather(fluxes, plusEqOp<scalar>());
-    Pstream::listCombineScatter(fluxes);
-    moved = fluxes.remove();
-    out = fluxes.remove();
-    in = fluxes.remove();
+    reduce(in, sumOp<scalar>());
+    reduce(out, sumOp<scalar>());
+    reduce(moved, sumOp<scalar>());
 
     if
     (
@@ -98,6 +93,10 @@ static string imbalance(const volVectorField& U)
     )
     {
         return string::null;
+    }
+    for (scalar& flux : fluxes)
+    {
+        reduce(flux, sumOp<scalar>());
     }
     OStringStream message;
     message

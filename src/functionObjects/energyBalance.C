@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "energyBalance.H"
+#include "kineticEnergyRate.H"
 #include "membraneSystem.H"
 #include "input.H"
 #include "fvc.H"
@@ -27,6 +28,8 @@ namespace functionObjects
 
 
 const Foam::scalar Foam::functionObjects::energyBalance::rest_ = 1e-6;
+
+const char* const Foam::functionObjects::energyBalance::notKnown_ = "nan";
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -98,7 +101,8 @@ Foam::functionObjects::energyBalance::energyBalance
 :
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(mesh_, name, typeName, dict),
-    largestImbalance_(0)
+    largestImbalance_(0),
+    warned_(false)
 {
     read(dict);
 
@@ -172,12 +176,14 @@ bool Foam::functionObjects::energyBalance::write()
             2*viscosity.primitiveField()
            *magSqr(symm(gradient.primitiveField()))*V
         )/thickness;
-    const scalar kinetic =
-    (
-        system.density()
-       *gSum((U.primitiveField() & fvc::ddt(U)().primitiveField())*V)
-      + boundary.second()
-    )/thickness;
+    scalar rate = 0;
+    const bool known =
+        !postProcess || capsule::kineticEnergyRate::read(mesh_, rate);
+    if (!postProcess)
+    {
+        rate = capsule::kineticEnergyRate::ofStep(U, system.density());
+    }
+    const scalar kinetic = (rate + boundary.second())/thickness;
     const scalar driving =
         (system.driving().force() & gSum(U.primitiveField()*V))/thickness;
     scalar membranes = 0;
@@ -198,10 +204,37 @@ bool Foam::functionObjects::energyBalance::write()
 
     if (Pstream::master())
     {
-        file()
-            << mesh_.time().timeOutputValue()
-            << tab << dissipation << tab << kinetic << tab << stress
-            << tab << membranes << tab << driving << tab << imbalance << endl;
+        file() << mesh_.time().timeOutputValue() << tab << dissipation;
+        const auto writeKinetic = [&](const scalar value)
+        {
+            file() << tab;
+            if (known)
+            {
+                file() << value;
+            }
+            else
+            {
+                file() << notKnown_;
+            }
+        };
+        writeKinetic(kinetic);
+        file() << tab << stress << tab << membranes << tab << driving;
+        writeKinetic(imbalance);
+        file() << endl;
+    }
+    if (!known)
+    {
+        if (!warned_)
+        {
+            WarningInFunction
+                << "The rate of kinetic energy is not known at time "
+                << mesh_.time().timeName() << ", where there is no file"
+                << " uniform/kineticEnergyRate: no step of capsuleFoam has"
+                << " written this time. It and the imbalance are written as "
+                << notKnown_ << ", here and at other such times" << endl;
+            warned_ = true;
+        }
+        return true;
     }
     if (mag(imbalance) > max(largestImbalance_*fed, rest_*gross))
     {

@@ -126,6 +126,7 @@ void Foam::capsule::immersedMembrane::setResponse
         (
             body_,
             curve(),
+            ahead,
             filter(curve(), membraneMotion::waves),
             timeScheme(mesh_, "ddt(membranes)", body_.nOld()),
             method.conserveArea()

@@ -41,6 +41,7 @@ Foam::capsule::membraneMotion::membraneMotion
 (
     const membrane& body,
     const closedCurve& interface,
+    const closedCurve& predicted,
     const nodalMatrix& filter,
     const timeScheme& scheme,
     const bool conserveArea
@@ -51,7 +52,7 @@ Foam::capsule::membraneMotion::membraneMotion
     scheme_(scheme),
     conserveArea_(conserveArea),
     filter_(filter),
-    excess_(excess(body, interface, body.now().velocity, 0.25*scheme.c))
+    excess_(excess(body, predicted, body.now().velocity, 0.25*scheme.c))
 {
     if (excess_.size())
     {
@@ -74,7 +75,7 @@ Foam::capsule::nodalScalars Foam::capsule::membraneMotion::excess
     const nodalScalars& g = curve.metric();
     const nodalVectors slope = curve.basis().derivative()*U;
     const nodalScalars rate = dot(slope, curve.tangent());
-    const scalar decay = min(fastest, rate.norm()/g.norm());
+    const scalar decay = min(fastest, slope.norm()/g.norm());
 
     const nodalScalars change = rate + decay*g;
     nodalScalars w = curve.basis().integrated

@@ -10,7 +10,6 @@ License
 
 #include "clearance.H"
 #include "volFields.H"
-#include "emptyPolyPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -30,6 +29,25 @@ namespace capsule
 static vector2 middle(const nodalVectors& points)
 {
     return 0.5*(points.colwise().minCoeff() + points.colwise().maxCoeff());
+}
+
+//- Points of a smooth closed curve and one between each two of them, by the
+//  four-point scheme (Dyn, Levin and Gregory 1987)
+static nodalVectors subdivided(const nodalVectors& x)
+{
+    const label n = x.rows();
+    nodalVectors result(2*n, 2);
+    for (label i = 0; i < n; ++i)
+    {
+        const label j = (i + 1) % n;
+        result.row(2*i) = x.row(i);
+        result.row(2*i + 1) =
+            (
+                9*(x.row(i) + x.row(j))
+              - x.row((i + n - 1) % n) - x.row((i + 2) % n)
+            )/16;
+    }
+    return result;
 }
 
 } // End namespace capsule
@@ -73,27 +91,11 @@ Foam::capsule::clearance::clearance
     const meshPlane& plane
 )
 :
-    mesh_(mesh),
     plane_(plane),
+    boundary_(meshBoundary::New(mesh)),
     width_(Foam::sqrt(gMin(mesh.V().field())/plane.thickness())),
     largest_(Foam::sqrt(gMax(mesh.V().field())/plane.thickness()))
-{
-    for (const polyPatch& pp : mesh.boundaryMesh())
-    {
-        if (pp.coupled() || isA<emptyPolyPatch>(pp))
-        {
-            continue;
-        }
-        forAll(pp, i)
-        {
-            const vector& S = pp.faceAreas()[i];
-            centres_.append(plane(pp.faceCentres()[i]));
-            normals_.append(plane(S)/mag(S));
-            lengths_.append(mag(S)/plane.thickness());
-            patches_.append(pp.index());
-        }
-    }
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -104,16 +106,6 @@ Foam::string Foam::capsule::clearance::obstacle
     const scalar cells
 ) const
 {
-    nodalVectors points(curve);
-    for (label i = 0; i < points.rows(); ++i)
-    {
-        points.row(i) = plane_.wrapped(curve.row(i));
-        if (!plane_.contains(points.row(i)))
-        {
-            return "the boundary";
-        }
-    }
-
     for (const vector2& p : plane_.periods())
     {
         const nodalScalars along = curve*p.transpose()/p.norm();
@@ -126,48 +118,13 @@ Foam::string Foam::capsule::clearance::obstacle
         }
     }
 
-    // Boundary faces near the points: depth of the points below the face
-    const vector2 margin(cells*width_, cells*width_);
-    const vector2 low = points.colwise().minCoeff() - margin;
-    const vector2 high = points.colwise().maxCoeff() + margin;
-    scalar nearest = GREAT;
-    label patchi = -1;
-    forAll(centres_, facei)
+    const string near = boundary_.nearest(subdivided(subdivided(curve)), cells);
+    if (near.empty() && !boundary_.contains(curve.row(0)))
     {
-        const vector2& c = centres_[facei];
-        const scalar reach = lengths_[facei];
-        if
-        (
-            c(0) + reach < low(0) || c(0) - reach > high(0)
-         || c(1) + reach < low(1) || c(1) - reach > high(1)
-        )
-        {
-            continue;
-        }
-        for (label i = 0; i < points.rows(); ++i)
-        {
-            const vector2 d = points.row(i) - c;
-            const scalar depth = -d.dot(normals_[facei]);
-            const scalar beside = (d + depth*normals_[facei]).norm();
-            if (beside < reach && depth < nearest)
-            {
-                nearest = depth;
-                patchi = patches_[facei];
-            }
-        }
+        // It crosses none: the whole curve lies outside
+        return "the boundary";
     }
-
-    const scalar found = returnReduce(nearest, minOp<scalar>());
-    if (found < cells*width_)
-    {
-        patchi = returnReduce
-        (
-            nearest == found ? patchi : labelMin,
-            maxOp<label>()
-        );
-        return mesh_.boundaryMesh()[patchi].name();
-    }
-    return string::null;
+    return near;
 }
 
 

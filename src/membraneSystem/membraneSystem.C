@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneSystem.H"
+#include "kineticEnergyRate.H"
 #include "profiling.H"
 #include "fileOperation.H"
 
@@ -210,4 +211,5 @@ void Foam::capsule::membraneSystem::write() const
     {
         m.write();
     }
+    kineticEnergyRate::write(U_, rho_);
 }

@@ -14,7 +14,6 @@ License
 #include "fvc.H"
 #include "gaussGrad.H"
 #include "zeroGradientFvPatchFields.H"
-#include <algorithm>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -215,6 +214,14 @@ void Foam::capsule::membraneSystem::setPressure()
     {
         volScalarField& p = *scaledPressure_;
         pressure_ = p/fields_->scale;
+        for (fvPatchScalarField& pp : pressure_.boundaryFieldRef())
+        {
+            // Values that are given, maybe in time
+            if (pp.fixesValue())
+            {
+                pp == p.boundaryField()[pp.patch().index()];
+            }
+        }
         addDriven(pressure_, true);
 
         // As a restart from here reads it, to the last bit

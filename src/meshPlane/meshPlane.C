@@ -90,8 +90,7 @@ Foam::capsule::meshPlane::meshPlane(const fvMesh& mesh)
     across_(2),
     middle_(0),
     thickness_(0),
-    centre_(vector2::Zero()),
-    span_(vector2::Zero())
+    centre_(vector2::Zero())
 {
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
@@ -128,7 +127,6 @@ Foam::capsule::meshPlane::meshPlane(const fvMesh& mesh)
     middle_ = bounds.midpoint()[across_];
     thickness_ = bounds.span()[across_];
     centre_ = (*this)(bounds.midpoint());
-    span_ = (*this)(bounds.span());
     setPeriods(mesh);
 
     // Geometry that is made on demand, which takes all processors: later only

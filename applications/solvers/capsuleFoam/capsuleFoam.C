@@ -36,6 +36,7 @@ Description
 #include "drivingForce.H"
 #include "repeatableStep.H"
 #include "restartableTime.H"
+#include "solverFunctions.H"
 #include "functionObject.H"
 #include "profiling.H"
 #include "sigFpe.H"
@@ -50,6 +51,8 @@ int main(int argc, char *argv[])
         " incompressible flow."
     );
 
+    capsule::solverFunctions::provide(argc, argv);
+    #define CREATE_CONTROL checkFunctions.H
     #include "postProcess.H"
 
     argList::addBoolOption
@@ -85,6 +88,7 @@ int main(int argc, char *argv[])
         functionObject::outputPrefix = "postProcessing-dry-run";
     }
 
+    capsule::solverFunctions::check(runTime);
     #include "createFields.H"
     #include "createTimeControls.H"
     #include "CourantNo.H"

@@ -102,15 +102,15 @@ Foam::scalar Foam::capsule::closedCurve::taylorDeformation() const
 Foam::scalar Foam::capsule::closedCurve::inclination() const
 {
     const Eigen::Matrix<scalar, 3, 1> m = secondMoments();
-    const scalar roundOff = 1e-10*(mag(m(0)) + mag(m(2)));
+    const scalar size = mag(m(0)) + mag(m(2));
     const scalar spread = m(0) - m(2);
-    if (std::hypot(spread, 2*m(1)) <= roundOff)
+    if (std::hypot(spread, 2*m(1)) <= 1e-6*size)
     {
         return 0;
     }
     // What rounding leaves must not turn an axis along the second direction
     // from 90 to -90 degrees
-    return 0.5*std::atan2(mag(m(1)) > roundOff ? 2*m(1) : 0, spread);
+    return 0.5*std::atan2(mag(m(1)) > 1e-10*size ? 2*m(1) : 0, spread);
 }
 
 

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membrane.H"
+#include "meshBoundary.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -31,17 +32,28 @@ Foam::scalar Foam::capsule::membrane::perimeterInCells
 ) const
 {
     const nodalVectors outline = shape.outline();
-    for (Eigen::Index i = 0; i < outline.rows(); ++i)
+    const meshBoundary& boundary = meshBoundary::New(mesh);
+    const label outside = boundary.firstOutside(outline);
+    const word enclosed(outside < 0 ? boundary.enclosed(outline) : word());
+    if (outside >= 0 || !enclosed.empty())
     {
-        if (!plane_.contains(outline.row(i)))
+        FatalIOErrorInFunction(dict)
+            << "Membrane " << name_;
+        if (outside >= 0)
         {
-            FatalIOErrorInFunction(dict)
-                << "Membrane " << name_ << " reaches outside the mesh, to "
-                << plane_.toPoint(outline.row(i)) << "; see the entries "
-                << flatOutput(dict.toc())
-                << " of shape: the mesh spans " << mesh.bounds().min() << " to " << mesh.bounds().max()
-                << exit(FatalIOError);
+            FatalIOError
+                << " reaches outside the mesh, to "
+                << plane_.toPoint(outline.row(outside));
         }
+        else
+        {
+            FatalIOError<< " encloses faces of the patch " << enclosed;
+        }
+        FatalIOError
+            << nl << "    It and all that it encloses must lie inside the mesh,"
+            << " which spans " << mesh.bounds().min() << " to "
+            << mesh.bounds().max() << "; see the entries "
+            << flatOutput(dict.toc()) << " of shape" << exit(FatalIOError);
     }
 
     scalar area = 0;

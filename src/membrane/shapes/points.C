@@ -9,7 +9,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "points.H"
+#include "segments.H"
 #include "IFstream.H"
+#include "boundBox.H"
 #include "mathematicalConstants.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -24,11 +26,8 @@ namespace shapes
     defineTypeNameAndDebug(points, 0);
     addToRunTimeSelectionTable(membraneShape, points, dictionary);
 
-    //- Twice the area of the triangle a, b, c; positive if anticlockwise
-    static scalar turn(const vector2& a, const vector2& b, const vector2& c)
-    {
-        return (b(0) - a(0))*(c(1) - a(1)) - (b(1) - a(1))*(c(0) - a(0));
-    }
+    //- Distances of this part of the extent of the points are none
+    static const scalar same = 1e-9;
 }
 }
 }
@@ -36,60 +35,133 @@ namespace shapes
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::pointField Foam::capsule::shapes::points::readList(Istream& is)
+{
+    // Before the list, what OpenFOAM's files of points and fields have there
+    token t(is);
+    while (t.isWord())
+    {
+        if (t.wordToken() == "FoamFile")
+        {
+            dictionary header(is);
+        }
+        is >> t;
+    }
+    is.putBack(t);
+    return pointField(is);
+}
+
+
+void Foam::capsule::shapes::points::setPoints
+(
+    const pointField& list,
+    const meshPlane& plane,
+    const dictionary& dict,
+    const fileName& file
+)
+{
+    const boundBox box(list, false);
+    const scalar extent = box.mag();
+    if (!(cmptMax(cmptMag(box.min())) <= input::largest)
+     || !(cmptMax(cmptMag(box.max())) <= input::largest))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry file " << file << ": coordinates from " << box.min()
+            << " to " << box.max() << "; permitted: up to "
+            << input::largest << " [m]" << exit(FatalIOError);
+    }
+    if (mag(box.span() - plane.toVector(plane(box.span()))) > 1e-3*extent)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry file " << file << ": the points reach from "
+            << box.min() << " to " << box.max() << ", but they must lie in the"
+            << " plane of the mesh, whose normal is "
+            << (plane.toVector(vector2(1, 0)) ^ plane.toVector(vector2(0, 1)))
+            << exit(FatalIOError);
+    }
+
+    x_ = plane.toNodes(list);
+    label n = x_.rows();
+    if (n > 1 && (x_.row(n - 1) - x_.row(0)).norm() <= same*extent)
+    {
+        // The last repeats the first, as in files of closed curves
+        --n;
+        x_.conservativeResize(n, 2);
+    }
+    if (n < 8)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry file " << file << ": " << n << " points, but a curve"
+            << " needs at least 8" << exit(FatalIOError);
+    }
+    check(same*extent, dict, file);
+
+    scalar area = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        area += turn(x_.row(0), x_.row(i), x_.row((i + 1) % n));
+    }
+    if (area < 0)
+    {
+        // Clockwise; the first stays the first
+        x_.bottomRows(n - 1) =
+            nodalVectors(x_.bottomRows(n - 1).colwise().reverse());
+    }
+}
+
+
 void Foam::capsule::shapes::points::check
 (
+    const scalar tolerance,
     const dictionary& dict,
     const fileName& file
 ) const
 {
     const label n = x_.rows();
-    scalar area = 0;
-
-    if (!(x_.cwiseAbs().maxCoeff() <= input::largest))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry file " << file << ": coordinates up to "
-            << x_.cwiseAbs().maxCoeff() << "; permitted: up to "
-            << input::largest << " [m]" << exit(FatalIOError);
-    }
-
     for (label i = 0; i < n; ++i)
     {
+        const label next = (i + 1) % n;
         const vector2 a = x_.row(i);
-        const vector2 b = x_.row((i + 1) % n);
-        area += turn(vector2::Zero(), a, b);
-
-        if ((a - b).norm() < VSMALL)
+        const vector2 b = x_.row(next);
+        const vector2 ahead = x_.row((i + 2) % n) - b;
+        const scalar length = (b - a).norm();
+        if (length <= tolerance)
         {
             FatalIOErrorInFunction(dict)
                 << "Entry file " << file << ": points " << i << " and "
-                << (i + 1) % n << " coincide; they must be distinct"
+                << next << " coincide; they must be distinct"
                 << exit(FatalIOError);
         }
+        if
+        (
+            ahead.dot(b - a) < 0
+         && mag(turn(a, b, b + ahead)) <= same*length*ahead.norm()
+        )
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry file " << file << ": the curve turns back on itself"
+                << " at point " << next << exit(FatalIOError);
+        }
 
+        const vector2 low = (a.cwiseMin(b).array() - tolerance).matrix();
+        const vector2 high = (a.cwiseMax(b).array() + tolerance).matrix();
         for (label j = i + 2; j < n - (i == 0 ? 1 : 0); ++j)
         {
             const vector2 c = x_.row(j);
             const vector2 d = x_.row((j + 1) % n);
             if
             (
-                turn(a, b, c)*turn(a, b, d) <= 0
-             && turn(c, d, a)*turn(c, d, b) <= 0
+                (c.cwiseMax(d).array() >= low.array()).all()
+             && (c.cwiseMin(d).array() <= high.array()).all()
+             && squaredDistance(a, b, c, d) <= sqr(tolerance)
             )
             {
                 FatalIOErrorInFunction(dict)
                     << "Entry file " << file << ": the segments after points "
-                    << i << " and " << j << " cross; the curve must not"
-                    << " intersect itself" << exit(FatalIOError);
+                    << i << " and " << j << " cross or touch; the curve must"
+                    << " not intersect itself" << exit(FatalIOError);
             }
         }
-    }
-
-    if (area <= 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry file " << file << ": the points are clockwise; they must"
-            << " be anticlockwise" << exit(FatalIOError);
     }
 }
 
@@ -119,19 +191,14 @@ Foam::capsule::shapes::points::points
             << "Entry file: cannot read the points from " << file
             << exit(FatalIOError);
     }
-    const pointField list
+    setPoints
     (
-        input::guarded(dict, "file", [&]() { return pointField(is); })
+        input::guarded(dict, "file", [&]() { return readList(is); }),
+        plane,
+        dict,
+        file
     );
-    const label n = list.size();
-    if (n < 8)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry file " << file << ": " << n << " points, but a curve"
-            << " needs at least 8" << exit(FatalIOError);
-    }
-    x_ = plane.toNodes(list);
-    check(dict, file);
+    const label n = x_.rows();
 
     s_.setZero(n + 1);
     for (label i = 0; i < n; ++i)

@@ -1,0 +1,186 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "wallStress.H"
+#include "membraneSystem.H"
+#include "input.H"
+#include "volFields.H"
+#include "wallPolyPatch.H"
+#include "emptyPolyPatch.H"
+#include "wordRes.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(wallStress, 0);
+    addToRunTimeSelectionTable(functionObject, wallStress, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::wallStress::wallStress
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    writeFile(mesh_, name, typeName, dict)
+{
+    read(dict);
+
+    file().precision(12);
+    writeHeader(file(), "Shear stress [Pa], and force per thickness [N/m]");
+    writeCommented(file(), "Time");
+    for
+    (
+        const char* column :
+        {
+            "patch", "minShear", "maxShear",
+            "pressureX", "pressureY", "pressureZ",
+            "viscousX", "viscousY", "viscousZ"
+        }
+    )
+    {
+        writeTabbed(file(), column);
+    }
+    file() << endl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::wallStress::read(const dictionary& dict)
+{
+    capsule::input::warnOfOthers
+    (
+        dict,
+        capsule::input::joined
+        (
+            capsule::input::functionObjectEntries(),
+            {"patches"}
+        )
+    );
+
+    const polyBoundaryMesh& boundary = mesh_.boundaryMesh();
+    DynamicList<label> found;
+    if (dict.found("patches"))
+    {
+        const wordRes names(capsule::input::get<wordRes>(dict, "patches"));
+        forAll(boundary, patchi)
+        {
+            const polyPatch& pp = boundary[patchi];
+            if
+            (
+                names.match(pp.name())
+             && !pp.coupled() && !isA<emptyPolyPatch>(pp)
+            )
+            {
+                found.append(patchi);
+            }
+        }
+        if (found.empty())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry patches " << flatOutput(names) << " names no patch"
+                << " that bounds the flow; permitted: of "
+                << flatOutput(boundary.names()) << " those that are neither"
+                << " empty nor coupled" << exit(FatalIOError);
+        }
+    }
+    else
+    {
+        forAll(boundary, patchi)
+        {
+            if (isA<wallPolyPatch>(boundary[patchi]))
+            {
+                found.append(patchi);
+            }
+        }
+    }
+    patches_ = found;
+
+    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
+}
+
+
+bool Foam::functionObjects::wallStress::execute()
+{
+    return true;
+}
+
+
+bool Foam::functionObjects::wallStress::write()
+{
+    const auto& system =
+        mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
+    const auto& p = mesh_.lookupObject<volScalarField>("p");
+    const scalar thickness = system.plane().thickness();
+    const volTensorField gradient(system.velocityGradient());
+    const volScalarField viscosity(system.viscosity());
+
+    volVectorField shear
+    (
+        IOobject(typeName, mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedVector(dimPressure, Zero)
+    );
+
+    for (const label patchi : patches_)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        const vectorField normal(patch.nf());
+        const vectorField traction
+        (
+           -2*viscosity.boundaryField()[patchi]
+           *symm(gradient.boundaryField()[patchi])
+          & normal
+        );
+        fvPatchVectorField& stress = shear.boundaryFieldRef()[patchi];
+        stress == traction - normal*(normal & traction);
+
+        const scalarField size(mag(stress));
+        const scalar least = gMin(size);
+        const scalar largest = gMax(size);
+        const vector pressure
+        (
+            gSum(p.boundaryField()[patchi]*patch.Sf())/thickness
+        );
+        const vector viscous(gSum(traction*patch.magSf())/thickness);
+
+        if (Pstream::master())
+        {
+            file()
+                << mesh_.time().timeOutputValue() << tab << patch.name()
+                << tab << least << tab << largest;
+            for (const vector& force : {pressure, viscous})
+            {
+                for (const scalar component : force)
+                {
+                    file() << tab << component;
+                }
+            }
+            file() << endl;
+        }
+    }
+    if (postProcess || mesh_.time().writeTime())
+    {
+        // Not a time of its own, which nothing could go on from
+        shear.write();
+    }
+    return true;
+}

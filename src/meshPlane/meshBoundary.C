@@ -1,0 +1,248 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "meshBoundary.H"
+#include "segments.H"
+#include "emptyPolyPatch.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+    defineTypeNameAndDebug(meshBoundary, 0);
+
+    //- The side of a face: its two points that are farthest apart in the plane
+    static meshBoundary::side sideOf
+    (
+        const pointField& points,
+        const face& f,
+        const meshPlane& plane
+    )
+    {
+        const auto farthest = [&](const vector2& from)
+        {
+            vector2 result = from;
+            for (const label pointi : f)
+            {
+                const vector2 x = plane(points[pointi]);
+                if ((x - from).norm() > (result - from).norm())
+                {
+                    result = x;
+                }
+            }
+            return result;
+        };
+        meshBoundary::side s;
+        s.a = farthest(plane(points[f[0]]));
+        s.b = farthest(s.a);
+        if (s.b(1) < s.a(1))
+        {
+            std::swap(s.a, s.b);
+        }
+        return s;
+    }
+
+    //- Middle of the box around points
+    static vector2 middle(const nodalVectors& points)
+    {
+        return 0.5*(points.colwise().minCoeff() + points.colwise().maxCoeff());
+    }
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::capsule::meshBoundary::encloses(const vector2& x) const
+{
+    // Crossings of the line from x along the first direction. The same face of
+    // two processors, or of both sides of a baffle, crosses it alike
+    bool inside = false;
+    const auto cross = [&](const side& s)
+    {
+        if
+        (
+            (s.a(1) > x(1)) != (s.b(1) > x(1))
+         && x(0)
+          < s.a(0) + (x(1) - s.a(1))/(s.b(1) - s.a(1))*(s.b(0) - s.a(0))
+        )
+        {
+            inside = !inside;
+        }
+    };
+    for (const side& s : walls_)
+    {
+        cross(s);
+    }
+    for (const side& s : coupled_)
+    {
+        cross(s);
+    }
+    return inside;
+}
+
+
+bool Foam::capsule::meshBoundary::containsHere(const vector2& x) const
+{
+    if (plane_.periods().empty())
+    {
+        return encloses(x);
+    }
+    for (const vector2& image : plane_.images(x, plane_.wrapped(x)))
+    {
+        if (encloses(image))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+Foam::word Foam::capsule::meshBoundary::patchName(const label patchi) const
+{
+    const label found = returnReduce(patchi, maxOp<label>());
+    return found < 0 ? word() : mesh_.boundaryMesh()[found].name();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::meshBoundary::meshBoundary(const fvMesh& mesh)
+:
+    MeshObject<fvMesh, GeometricMeshObject, meshBoundary>(mesh),
+    plane_(mesh)
+{
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (isA<emptyPolyPatch>(pp))
+        {
+            continue;
+        }
+        forAll(pp, i)
+        {
+            side s = sideOf(mesh.points(), pp[i], plane_);
+            s.width =
+                mesh.cellVolumes()[pp.faceCells()[i]]/mag(pp.faceAreas()[i]);
+            s.patch = pp.index();
+            (pp.coupled() ? coupled_ : walls_).append(s);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::capsule::meshBoundary::contains(const vector2& x) const
+{
+    return returnReduce(containsHere(x), orOp<bool>());
+}
+
+
+Foam::label Foam::capsule::meshBoundary::firstOutside
+(
+    const nodalVectors& points
+) const
+{
+    List<labelList> found(Pstream::nProcs());
+    DynamicList<label> mine;
+    for (label i = 0; i < points.rows(); ++i)
+    {
+        if (containsHere(points.row(i)))
+        {
+            mine.append(i);
+        }
+    }
+    found[Pstream::myProcNo()] = mine;
+    Pstream::gatherList(found);
+    Pstream::scatterList(found);
+
+    boolList inside(points.rows(), false);
+    for (const labelList& list : found)
+    {
+        for (const label i : list)
+        {
+            inside[i] = true;
+        }
+    }
+    return inside.find(false);
+}
+
+
+Foam::word Foam::capsule::meshBoundary::nearest
+(
+    const nodalVectors& polygon,
+    const scalar cells
+) const
+{
+    const label n = polygon.rows();
+    const vector2 centre = middle(polygon);
+    const vector2 half =
+        0.5*(polygon.colwise().maxCoeff() - polygon.colwise().minCoeff());
+
+    scalar least = sqr(cells);
+    label patchi = -1;
+    for (const side& s : walls_)
+    {
+        const vector2 c = 0.5*(s.a + s.b);
+        const vector2 shift = plane_.image(c, centre) - c;
+        const vector2 a = s.a + shift;
+        const vector2 b = s.b + shift;
+        const scalar reach = cells*s.width + 0.5*(b - a).norm();
+        const vector2 beside = (c + shift - centre).cwiseAbs() - half;
+        if (beside(0) > reach || beside(1) > reach)
+        {
+            continue;
+        }
+        vector2 x = polygon.row(n - 1);
+        for (label i = 0; i < n; ++i)
+        {
+            const vector2 y = polygon.row(i);
+            if
+            (
+                (0.5*(x + y) - c - shift).norm()
+              < reach + 0.5*(y - x).norm()
+            )
+            {
+                const scalar square =
+                    squaredDistance(x, y, a, b)/sqr(s.width);
+                if (square < least)
+                {
+                    least = square;
+                    patchi = s.patch;
+                }
+            }
+            x = y;
+        }
+    }
+
+    const scalar found = returnReduce(least, minOp<scalar>());
+    return patchName(least == found ? patchi : -1);
+}
+
+
+Foam::word Foam::capsule::meshBoundary::enclosed
+(
+    const nodalVectors& polygon
+) const
+{
+    const vector2 centre = middle(polygon);
+    label patchi = -1;
+    for (const side& s : walls_)
+    {
+        if (inPolygon(plane_.image(s.a, centre), polygon))
+        {
+            patchi = max(patchi, s.patch);
+        }
+    }
+    return patchName(patchi);
+}
