@@ -13,55 +13,51 @@ License
 #include "bitSet.H"
 #include "StringStream.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::scalar Foam::capsule::cutFaces::longest = 3;
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::capsule::cutFaces::checkCell(const label celli)
-{
-    const fvMesh& mesh = levelSet_.mesh();
-    const char* wrong = nullptr;
-
-    if (!hexMatcher().isA(mesh, celli))
-    {
-        wrong = "not a hexahedron";
-    }
-    for (const label facei : mesh.cells()[celli])
-    {
-        const vector s = normalised(mesh.faceAreas()[facei]);
-        const vector d =
-            normalised(mesh.faceCentres()[facei] - mesh.cellCentres()[celli]);
-        if (!wrong && mag(s & d) < 1 - 1e-6)
-        {
-            wrong = "not orthogonal";
-        }
-    }
-    if (wrong && wrong_.empty())
-    {
-        OStringStream message;
-        message
-            << "The membrane cuts cell " << celli << " at "
-            << mesh.cellCentres()[celli] << ", which is " << wrong << nl
-            << "    Cells at a membrane must be orthogonal hexahedra.";
-        wrong_ = message.str();
-    }
-}
-
 
 void Foam::capsule::cutFaces::checkCells() const
 {
-    // On all processors alike, for those who go on from it
-    const label proci = returnReduce
-    (
-        wrong_.empty() ? labelMax : Pstream::myProcNo(), minOp<label>()
-    );
-    if (proci == labelMax)
-    {
-        return;
-    }
+    const fvMesh& mesh = levelSet_.mesh();
+    bitSet cut(mesh.nCells());
     List<string> wrong(Pstream::nProcs());
-    wrong[Pstream::myProcNo()] = wrong_;
-    Pstream::gatherList(wrong);
-    Pstream::scatterList(wrong);
-    FatalErrorInFunction << wrong[proci].c_str() << exit(FatalError);
+    string& mine = wrong[Pstream::myProcNo()];
+    for (const view& v : views_)
+    {
+        if (v.cell != -1 && cut.set(v.cell) && mine.empty())
+        {
+            const string refused = refusal(mesh, v.cell);
+            if (!refused.empty())
+            {
+                OStringStream message;
+                message
+                    << "Membrane " << levelSet_.name() << " cuts cell "
+                    << v.cell << " at " << mesh.cellCentres()[v.cell]
+                    << ", which " << refused.c_str() << nl
+                    << "    Cells at a membrane must be orthogonal hexahedra,"
+                    << " at most " << longest << " times longer than wide.";
+                mine = message.str();
+            }
+        }
+    }
+
+    // On all processors alike, for those who go on from it
+    if (returnReduce(!mine.empty(), orOp<bool>()))
+    {
+        Pstream::gatherList(wrong);
+        Pstream::scatterList(wrong);
+        for (const string& message : wrong)
+        {
+            if (!message.empty())
+            {
+                FatalErrorInFunction << message.c_str() << exit(FatalError);
+            }
+        }
+    }
 }
 
 
@@ -189,7 +185,6 @@ void Foam::capsule::cutFaces::add
 
     if (sideP != sideN)
     {
-        checkCell(own);
         foreign_.append(views_.size() + (side == sideP ? 1 : 0));
         centreAlphas_.append(alpha);
         centreDepths_.append(atCentre);
@@ -234,15 +229,18 @@ Foam::capsule::cutFaces::cutFaces(const membraneLevelSet& levelSet)
 :
     levelSet_(levelSet)
 {
-    // Faces of cells that are closer to the membrane than a cell width
+    // Faces of cells that are closer to the membrane than they are long, and
+    // half as much again
     const fvMesh& mesh = levelSet.mesh();
     const volScalarField& side = levelSet.side();
+    const cellSearch& search = cellSearch::New(mesh);
     bitSet close(mesh.nFaces());
     forAll(levelSet.cells(), i)
     {
-        if (mag(levelSet.distance()(i)) < 1.5*levelSet.width())
+        const label celli = levelSet.cells()[i];
+        if (mag(levelSet.distance()(i)) < 1.5*search.ofCell(celli).largest())
         {
-            for (const label facei : mesh.cells()[levelSet.cells()[i]])
+            for (const label facei : mesh.cells()[celli])
             {
                 close.set(facei);
             }
@@ -287,4 +285,35 @@ Foam::capsule::cutFaces::cutFaces(const membraneLevelSet& levelSet)
         }
     }
     checkCells();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::capsule::cutFaces::refusal
+(
+    const fvMesh& mesh,
+    const label celli
+)
+{
+    if (!hexMatcher().isA(mesh, celli))
+    {
+        return "is not a hexahedron";
+    }
+    for (const label facei : mesh.cells()[celli])
+    {
+        const vector s = normalised(mesh.faceAreas()[facei]);
+        const vector d =
+            normalised(mesh.faceCentres()[facei] - mesh.cellCentres()[celli]);
+        if (mag(s & d) < 1 - 1e-6)
+        {
+            return "is not orthogonal";
+        }
+    }
+    const scalar ratio = cellSearch::New(mesh).ofCell(celli).ratio();
+    if (ratio > longest*(1 + 1e-6))
+    {
+        return "is " + Foam::name(ratio) + " times longer than wide";
+    }
+    return string::null;
 }

@@ -16,8 +16,80 @@ License
 const Foam::scalar Foam::capsule::oneSidedFit::radius = 3.1;
 const Foam::scalar Foam::capsule::oneSidedFit::reach = 2;
 
+namespace Foam
+{
+namespace capsule
+{
+
+//- Norm over the weighted cells, in cell widths, below which a monomial's part
+//  that is orthogonal to those before it is diminished
+static const scalar distinct = 0.3;
+
+} // End namespace capsule
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Eigen::Matrix<Foam::scalar, 3, Eigen::Dynamic>
+Foam::capsule::oneSidedFit::cubic
+(
+    const nodalVectors& points,
+    const nodalScalars& weights
+)
+{
+    const label n = points.rows();
+    Eigen::Matrix<scalar, Eigen::Dynamic, 10> basis(n, 10);
+    for (label i = 0; i < n; ++i)
+    {
+        const scalar x = points(i, 0);
+        const scalar y = points(i, 1);
+        basis.row(i) <<
+            1, x, y, sqr(x), x*y, sqr(y),
+            pow3(x), sqr(x)*y, x*sqr(y), pow3(y);
+    }
+    basis = weights.asDiagonal()*basis;
+
+    // Gram-Schmidt, twice: orthonormal columns, and value and gradient at the
+    // origin of their polynomials
+    Eigen::Matrix<scalar, 3, Eigen::Dynamic> rows =
+        Eigen::Matrix<scalar, 3, Eigen::Dynamic>::Zero(3, n);
+    Eigen::Matrix<scalar, 3, 10> origin(Eigen::Matrix<scalar, 3, 10>::Zero());
+    origin.leftCols<3>().setIdentity();
+    label kept = 0;
+    for (label j = 0; j < 10; ++j)
+    {
+        nodalScalars q = basis.col(j);
+        Eigen::Matrix<scalar, 3, 1> atOrigin = origin.col(j);
+        const scalar size = q.norm();
+        for (label pass = 0; pass < 2; ++pass)
+        {
+            for (label k = 0; k < kept; ++k)
+            {
+                const scalar along = basis.col(k).dot(q);
+                q -= along*basis.col(k);
+                atOrigin -= along*origin.col(k);
+            }
+        }
+        const scalar own = q.norm();
+        if (own < 1e-6*size)
+        {
+            if (j < 3)
+            {
+                // Not even a gradient
+                return Eigen::Matrix<scalar, 3, Eigen::Dynamic>(3, 0);
+            }
+            continue;
+        }
+        basis.col(kept) = q/own;
+        origin.col(kept) = atOrigin/own;
+        const scalar part = (j < 3 ? 1 : min(sqr(own/distinct), scalar(1)));
+        rows += part*origin.col(kept)*basis.col(kept).transpose();
+        ++kept;
+    }
+    return rows*weights.asDiagonal();
+}
+
 
 Foam::capsule::nodalMatrix Foam::capsule::oneSidedFit::gather
 (
@@ -127,67 +199,116 @@ Foam::capsule::oneSidedFit::oneSidedFit
     const membraneLevelSet& distance = interface.distance();
     const labelUList& cells = distance.cells();
     const closedCurve& curve = distance.curve();
-    const scalar r = radius*distance.width();
+    const scalar width = distance.width();
 
     sizes_[Pstream::myProcNo()] = cells.size();
     allGatherList(sizes_);
 
-    nodalMatrix local(cells.size(), 3);
+    // Centre, distance, size: tensor and direction
+    const cellSearch& search = cellSearch::New(distance.mesh());
+    nodalMatrix local(cells.size(), 9);
     forAll(cells, i)
     {
-        local.row(i).head<2>() =
-            distance.image(distance.mesh().C()[cells[i]]);
-        local(i, 2) = -side*distance.distance()(i)/distance.width();
+        const cellSearch::size& size = search.ofCell(cells[i]);
+        const Eigen::Matrix<scalar, 2, 2> tensor = size.tensor();
+        local.row(i) <<
+            distance.image(distance.mesh().C()[cells[i]]),
+            -side*distance.distance()(i),
+            tensor.row(0), tensor.row(1),
+            size.direction;
     }
-    const nodalMatrix centres = gather(local);
+    const nodalMatrix all = gather(local);
 
     stencils_.setSize(curve.size());
     rows_.setSize(curve.size());
     for (label node = 0; node < curve.size(); ++node)
     {
-        DynamicList<label> near;
-        for (label i = 0; i < centres.rows(); ++i)
+        const vector2 x = curve.nodes().row(node);
+
+        DynamicList<lineOfSight::obstacle> obstacles;
+        for (const lineOfSight::obstacle& o : distance.obstacles())
         {
-            const vector2 d =
-                centres.row(i).head<2>() - curve.nodes().row(node);
-            if (d.norm() < r && centres(i, 2) < reach)
+            const scalar length = (o.second() - o.first()).norm();
+            if ((o.first() - x).norm() < radius*width + length)
             {
-                near.append(i);
+                obstacles.append(o);
             }
         }
-        if (near.size() < 12)
+
+        // Cells seen, and their mean size around the node
+        DynamicList<label> seen;
+        Eigen::Matrix<scalar, 2, 2> mean;
+        mean.setZero();
+        scalar total = 0;
+        scalar nearest = GREAT;
+        vector2 direction(1, 0);
+        for (label i = 0; i < all.rows(); ++i)
         {
-            FatalErrorInFunction
-                << "Only " << near.size() << " cells around the membrane at "
-                << distance.plane().toPoint(curve.nodes().row(node))
-                << ": the membrane has left the mesh or touches a wall"
-                << exit(FatalError);
+            const vector2 c = all.row(i).head<2>();
+            const scalar d = (c - x).norm();
+            if (d < radius*width && lineOfSight::clear(obstacles, x, c))
+            {
+                seen.append(i);
+                const scalar w = sqr(max(1 - sqr(d/(1.5*width)), scalar(0)));
+                mean.row(0) += w*all.block<1, 2>(i, 3);
+                mean.row(1) += w*all.block<1, 2>(i, 5);
+                total += w;
+                if (d < nearest)
+                {
+                    nearest = d;
+                    direction = all.block<1, 2>(i, 7);
+                }
+            }
         }
 
-        // Weighted least squares for the cubic polynomials in cell widths
-        nodalMatrix basis(near.size(), 10);
-        nodalScalars weight(near.size());
-        forAll(near, i)
+        // To cell widths along the directions of the mesh
+        Eigen::Matrix<scalar, 2, 2> toCells;
+        toCells << direction, turned(direction);
+        if (total > 0)
+        {
+            toCells *= total*mean.inverse();
+        }
+        const scalar beyondCell =
+            1/(toCells*curve.normal().row(node).transpose()).norm();
+
+        DynamicList<label> near;
+        DynamicList<scalar> weights;
+        nodalVectors points(seen.size(), 2);
+        for (const label i : seen)
         {
             const vector2 d =
-                (centres.row(near[i]).head<2>() - curve.nodes().row(node))
-               /distance.width();
-            basis.row(i) <<
-                1, d(0), d(1), sqr(d(0)), d(0)*d(1), sqr(d(1)),
-                pow3(d(0)), sqr(d(0))*d(1), d(0)*sqr(d(1)), pow3(d(1));
-            const scalar beyond = max(centres(near[i], 2), scalar(0));
-            weight(i) = sqr
-            (
-                (1 - d.squaredNorm()/sqr(radius))*(1 - sqr(beyond/reach))
-            );
+                (all.row(i).head<2>() - x)*toCells.transpose();
+            const scalar beyond = max(all(i, 2)/beyondCell, scalar(0));
+            if (d.norm() < radius && beyond < reach)
+            {
+                points.row(near.size()) = d;
+                near.append(i);
+                weights.append
+                (
+                    sqr
+                    (
+                        (1 - d.squaredNorm()/sqr(radius))
+                       *(1 - sqr(beyond/reach))
+                    )
+                );
+            }
         }
-        const nodalMatrix inverse =
-            (weight.asDiagonal()*basis)
-           .completeOrthogonalDecomposition().pseudoInverse();
-
+        rows_[node] = cubic
+        (
+            points.topRows(near.size()),
+            Eigen::Map<const nodalScalars>(weights.cdata(), weights.size())
+        );
+        if (total == 0 || rows_[node].cols() == 0)
+        {
+            FatalErrorInFunction
+                << "Only " << near.size() << " cells around the membrane "
+                << distance.name() << " at " << distance.plane().toPoint(x)
+                << ": it has left the mesh or touches a wall"
+                << exit(FatalError);
+        }
         stencils_[node] = near;
-        rows_[node] = inverse.topRows<3>()*weight.asDiagonal();
-        rows_[node].bottomRows<2>() /= distance.width();
+        rows_[node].bottomRows<2>() =
+            (toCells.transpose()*rows_[node].bottomRows<2>()).eval();
     }
 }
 

@@ -56,16 +56,23 @@ void Foam::capsule::diffuseMembrane::place(const nodalVectors& nodes)
     interface_.clear();
     fit_.clear();
 
-    const scalar h = levelSet_->width();
+    const cellSearch& search = cellSearch::New(mesh_);
     const labelUList& cells = levelSet_->cells();
     std::vector<Eigen::Triplet<scalar>> entries;
     forAll(cells, i)
     {
         const vector2 centre = levelSet_->image(mesh_.C()[cells[i]]);
+        const cellSearch::size& size = search.ofCell(cells[i]);
         for (Eigen::Index k = 0; k < nodes.rows(); ++k)
         {
-            const vector2 r = (centre - nodes.row(k))/h;
-            if (r.cwiseAbs().maxCoeff() < 2)
+            const vector2 r =
+                size.components(centre - nodes.row(k))
+               .cwiseQuotient(size.widths);
+            if
+            (
+                r.cwiseAbs().maxCoeff() < 2
+             && levelSet_->sees(nodes.row(k), centre)
+            )
             {
                 entries.emplace_back(k, i, phi(r(0))*phi(r(1)));
             }
@@ -190,7 +197,12 @@ void Foam::capsule::diffuseMembrane::addViscosity(volScalarField& mu) const
     {
         const label celli = levelSet_->cells()[i];
         const scalar d = levelSet_->distance()(i)/levelSet_->width();
-        if (mag(d) < 1)
+        const vector2 foot = curve().point(levelSet_->alpha()(i));
+        if
+        (
+            mag(d) < 1
+         && levelSet_->sees(foot, levelSet_->image(mesh_.C()[celli]))
+        )
         {
             const scalar pi = constant::mathematical::pi;
             const scalar inside = 0.5*(1 - d - Foam::sin(pi*d)/pi);
@@ -207,15 +219,16 @@ void Foam::capsule::diffuseMembrane::addSources
     const volScalarField&
 )
 {
-    const scalar spacing =
-        constant::mathematical::twoPi/body_.size()/sqr(levelSet_->width());
+    const scalar spacing = constant::mathematical::twoPi/body_.size();
     const nodalVectors spread =
         delta_.transpose()
        *scaled(spacing*curve().metric(), body_.now().force);
 
     forAll(levelSet_->cells(), i)
     {
-        sources.momentum[levelSet_->cells()[i]] +=
-            plane_.toVector(spread.row(i));
+        const label celli = levelSet_->cells()[i];
+        sources.momentum[celli] +=
+            plane_.toVector(spread.row(i))
+           *(plane_.thickness()/mesh_.V()[celli]);
     }
 }

@@ -28,6 +28,45 @@ static pointField middles(const fvMesh& mesh, const meshPlane& plane)
     return result;
 }
 
+
+//- Size of a cell along the normal of its longest face, and across
+static cellSearch::size sizeOf
+(
+    const fvMesh& mesh,
+    const meshPlane& plane,
+    const label celli
+)
+{
+    cellSearch::size result{vector2(1, 0), vector2(0, 0)};
+    scalar longest = 0;
+    for (const label facei : mesh.cells()[celli])
+    {
+        const vector2 S = plane(mesh.faceAreas()[facei]);
+        if (S.norm() > (1 + 1e-6)*longest)
+        {
+            longest = S.norm();
+            result.direction = S/longest;
+        }
+    }
+
+    vector2 low = vector2::Constant(GREAT);
+    vector2 high = -low;
+    for (const label facei : mesh.cells()[celli])
+    {
+        for (const label pointi : mesh.faces()[facei])
+        {
+            const vector2 x = result.components
+            (
+                plane(mesh.points()[pointi] - mesh.cellCentres()[celli])
+            );
+            low = low.cwiseMin(x);
+            high = high.cwiseMax(x);
+        }
+    }
+    result.widths = high - low;
+    return result;
+}
+
 } // End namespace capsule
 } // End namespace Foam
 
@@ -49,11 +88,17 @@ Foam::capsule::cellSearch::cellSearch(const fvMesh& mesh)
 :
     MeshObject<fvMesh, GeometricMeshObject, cellSearch>(mesh),
     centres_(middles(mesh, meshPlane(mesh))),
-    largest_
-    (
-        Foam::sqrt(gMax(mesh.cellVolumes())/meshPlane(mesh).thickness())
-    )
+    sizes_(mesh.nCells()),
+    largest_(0)
 {
+    const meshPlane plane(mesh);
+    forAll(sizes_, celli)
+    {
+        sizes_[celli] = sizeOf(mesh, plane, celli);
+        largest_ = max(largest_, sizes_[celli].largest());
+    }
+    reduce(largest_, maxOp<scalar>());
+
     treeBoundBox bounds(mesh.bounds());
     bounds.inflate(0.01);
     tree_.reset

@@ -9,7 +9,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneLevelSet.H"
-#include "cellSearch.H"
 #include "mathematicalConstants.H"
 #include "surfaceFields.H"
 
@@ -105,34 +104,51 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
 
     const cellSearch& search = cellSearch::New(mesh);
     const pointField& centres = search.centres();
-    const scalarField& volumes = mesh.cellVolumes();
 
     // Cell width: the largest of the cells that the curve runs through
     const scalar sampleSpacing = 2*curve.perimeter()/samples_.size();
+    const List<vector2> images
+    (
+        plane.images(centre_, plane.wrapped(centre_))
+    );
+    const auto boxAround = [&](const scalar margin, const vector2& image)
+    {
+        const vector shift(plane.toVector(image - centre_));
+        boundBox box(samples_, false);
+        box.min() += shift - vector::uniform(margin);
+        box.max() += shift + vector::uniform(margin);
+        return box;
+    };
     const auto around = [&](const scalar margin)
     {
-        boundBox box(samples_, false);
-        box.min() -= vector::uniform(margin);
-        box.max() += vector::uniform(margin);
-
         DynamicList<label> cells;
-        for (const vector2& i : plane.images(centre_, plane.wrapped(centre_)))
+        for (const vector2& i : images)
         {
-            const vector shift(plane.toVector(i - centre_));
-            cells.append
-            (
-                search.inBox(boundBox(box.min() + shift, box.max() + shift))
-            );
+            cells.append(search.inBox(boxAround(margin, i)));
         }
         Foam::inplaceUniqueSort(cells);
         return cells;
     };
+    const auto findObstacles = [&](const scalar margin)
+    {
+        obstacles_.clear();
+        for (const vector2& i : images)
+        {
+            lineOfSight::New(mesh).append
+            (
+                boxAround(margin, i), centre_ - i, obstacles_
+            );
+        }
+    };
 
+    findObstacles(search.largestWidth() + sampleSpacing);
     for (const label celli : around(search.largestWidth() + sampleSpacing))
     {
-        const scalar h = Foam::sqrt(volumes[celli]/plane.thickness());
-        const point c = plane.toPoint(image(centres[celli]));
-        if (tree_->findNearest(c, sqr(h + sampleSpacing)).hit())
+        const scalar h = search.ofCell(celli).largest();
+        const vector2 x = image(centres[celli]);
+        const pointIndexHit hit =
+            tree_->findNearest(plane.toPoint(x), sqr(h + sampleSpacing));
+        if (hit.hit() && sees(plane(hit.hitPoint()), x))
         {
             width_ = max(width_, h);
         }
@@ -141,6 +157,7 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
 
     band_ = bandWidth*width_;
     const scalar reach = band_ + sampleSpacing;
+    findObstacles(reach);
 
     DynamicList<scalar> alphas;
     DynamicList<scalar> distances;

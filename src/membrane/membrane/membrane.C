@@ -47,7 +47,8 @@ Foam::scalar Foam::capsule::membrane::perimeterInCells
         }
         else
         {
-            FatalIOError<< " encloses faces of the patch " << enclosed;
+            FatalIOError
+                << " crosses or encloses faces of the patch " << enclosed;
         }
         FatalIOError
             << nl << "    It and all that it encloses must lie inside the mesh,"
