@@ -18,6 +18,7 @@ License
 #include "zeroGradientFvPatchFields.H"
 #include "fvc.H"
 #include "IOdictionary.H"
+#include "wallPolyPatch.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -129,6 +130,7 @@ void Foam::functionObjects::extraPressureDrop::readPatches
     }
     inlet_ = patch(dict, "inlet");
     outlet_ = patch(dict, "outlet");
+    checkAtRest(dict);
     if (inlet_ == outlet_)
     {
         FatalIOErrorInFunction(dict)
@@ -183,16 +185,21 @@ void Foam::functionObjects::extraPressureDrop::checkAtRest
     const dictionary& dict
 ) const
 {
+    // The reciprocal theorem is that of boundaries without power of their own
     const auto& U = mesh_.lookupObject<volVectorField>("U");
     forAll(U.boundaryField(), patchi)
     {
         const fvPatchVectorField& boundary = U.boundaryField()[patchi];
-        if (!boundary.coupled() && gSum(mag(boundary)) > 0)
+        const bool counts =
+            boundary.fixesValue()
+         && (driven() || isA<wallPolyPatch>(boundary.patch().patch()));
+        if (counts && gSum(mag(boundary)) > 0)
         {
             FatalIOErrorInFunction(dict)
-                << "Entry type: " << type() << " of a driven flow needs"
-                << " boundaries at rest, but " << boundary.patch().name()
-                << " moves, see " << U.objectPath() << exit(FatalIOError);
+                << "Entry type: " << type() << " needs "
+                << (driven() ? "boundaries" : "walls") << " at rest, but "
+                << boundary.patch().name() << " moves, see " << U.objectPath()
+                << exit(FatalIOError);
         }
     }
 }
