@@ -160,6 +160,26 @@ bool Foam::functionObjects::energyBalance::write()
     const auto& system =
         mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
     const auto& U = mesh_.lookupObject<volVectorField>("U");
+    if (postProcess)
+    {
+        // The solver's set-up may have updated the boundaries, which the step
+        // had not
+        const volVectorField written
+        (
+            IOobject
+            (
+                "U",
+                mesh_.time().timeName(),
+                mesh_,
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            mesh_
+        );
+        mesh_.lookupObjectRef<volVectorField>("U").boundaryFieldRef() ==
+            written.boundaryField();
+    }
     const scalar thickness = system.plane().thickness();
     const scalarField& V = mesh_.V();
 
