@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "clearance.H"
+#include "cellSearch.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -94,7 +95,7 @@ Foam::capsule::clearance::clearance
     plane_(plane),
     boundary_(meshBoundary::New(mesh)),
     width_(Foam::sqrt(gMin(mesh.V().field())/plane.thickness())),
-    largest_(Foam::sqrt(gMax(mesh.V().field())/plane.thickness()))
+    largest_(cellSearch::New(mesh).largestWidth())
 {}
 
 

@@ -61,7 +61,9 @@ void Foam::capsule::meshPlane::setPeriods(const fvMesh& mesh)
             bool known = false;
             for (const vector2& q : periods_)
             {
-                known = known || (p - q).norm() < 1e-6*q.norm();
+                known =
+                    known
+                 || min((p - q).norm(), (p + q).norm()) < 1e-6*q.norm();
                 if (!known && mag(p.dot(q)) > 1e-6*p.norm()*q.norm())
                 {
                     FatalErrorInFunction
