@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "meshBoundary.H"
+#include "bitSet.H"
 #include "segments.H"
 #include "emptyPolyPatch.H"
 
@@ -166,15 +167,12 @@ Foam::label Foam::capsule::meshBoundary::firstOutside
     Pstream::gatherList(found);
     Pstream::scatterList(found);
 
-    boolList inside(points.rows(), false);
+    bitSet outside(points.rows(), true);
     for (const labelList& list : found)
     {
-        for (const label i : list)
-        {
-            inside[i] = true;
-        }
+        outside.unset(list);
     }
-    return inside.find(false);
+    return outside.find_first();
 }
 
 
