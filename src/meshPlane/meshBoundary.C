@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "meshBoundary.H"
+#include "releases.H"
 #include "segments.H"
 #include "emptyPolyPatch.H"
 
@@ -163,8 +164,7 @@ Foam::label Foam::capsule::meshBoundary::firstOutside
         }
     }
     found[Pstream::myProcNo()] = mine;
-    Pstream::gatherList(found);
-    Pstream::scatterList(found);
+    allGatherList(found);
 
     boolList inside(points.rows(), false);
     for (const labelList& list : found)
