@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cutFaces.H"
+#include "releases.H"
 #include "hexMatcher.H"
 #include "bitSet.H"
 #include "StringStream.H"
@@ -48,8 +49,7 @@ void Foam::capsule::cutFaces::checkCells() const
     // On all processors alike, for those who go on from it
     if (returnReduce(!mine.empty(), orOp<bool>()))
     {
-        Pstream::gatherList(wrong);
-        Pstream::scatterList(wrong);
+        allGatherList(wrong);
         for (const string& message : wrong)
         {
             if (!message.empty())

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "lineOfSight.H"
+#include "releases.H"
 #include "emptyPolyPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -58,8 +59,7 @@ Foam::capsule::lineOfSight::lineOfSight(const fvMesh& mesh)
     }
     List<List<vector>> all(Pstream::nProcs());
     all[Pstream::myProcNo()] = mine;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
+    allGatherList(all);
 
     DynamicList<obstacle> faces;
     DynamicList<point> middles;

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneSystem.H"
+#include "releases.H"
 #include "timeScheme.H"
 #include "sigFpe.H"
 #include "IFstream.H"
@@ -216,7 +217,7 @@ void Foam::capsule::membraneSystem::checkNames() const
     {
         name = wrongName(filePath(), "membranes");
     }
-    Pstream::scatter(name);
+    broadcast(name);
     if (!name.empty())
     {
         refuse(name);

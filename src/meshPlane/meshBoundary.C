@@ -9,7 +9,11 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "meshBoundary.H"
+<<<<<<< HEAD
 #include "bitSet.H"
+=======
+#include "releases.H"
+>>>>>>> newer
 #include "segments.H"
 #include "emptyPolyPatch.H"
 
@@ -164,8 +168,7 @@ Foam::label Foam::capsule::meshBoundary::firstOutside
         }
     }
     found[Pstream::myProcNo()] = mine;
-    Pstream::gatherList(found);
-    Pstream::scatterList(found);
+    allGatherList(found);
 
     bitSet outside(points.rows(), true);
     for (const labelList& list : found)
