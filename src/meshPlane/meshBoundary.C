@@ -9,11 +9,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "meshBoundary.H"
-<<<<<<< HEAD
 #include "bitSet.H"
-=======
 #include "releases.H"
->>>>>>> newer
 #include "segments.H"
 #include "emptyPolyPatch.H"
 
