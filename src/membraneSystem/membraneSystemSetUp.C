@@ -9,86 +9,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneSystem.H"
-#include "releases.H"
+#include "membraneNames.H"
 #include "timeScheme.H"
 #include "sigFpe.H"
-#include "IFstream.H"
-#include "HashSet.H"
-#include <cctype>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace capsule
-{
-
-//- Can a name be that of a file and a word of a dictionary, in any program?
-static bool isName(const std::string& name)
-{
-    for (const unsigned char c : name)
-    {
-        if (c > 127 || !(std::isalnum(c) || c == '_' || c == '-' || c == '.'))
-        {
-            return false;
-        }
-    }
-    return !name.empty() && (std::isalnum(name[0]) || name[0] == '_');
-}
-
-
-//- The first dictionary in another one of the top level whose name in the text
-//  of a file is no name, or is there twice: OpenFOAM makes nested dictionaries
-//  of a/b, and one of two of the same name; empty if there is none
-static string wrongName(const fileName& path, const word& in)
-{
-    IFstream is(path);
-    HashSet<string> names;
-    string name;
-    string top;
-    label depth = 0;
-    token t;
-    while (is.read(t).good() && t.good())
-    {
-        if (t == token::BEGIN_BLOCK)
-        {
-            if (depth == 0)
-            {
-                top = name;
-            }
-            else if
-            (
-                depth == 1 && top == in
-             && (!isName(name) || !names.insert(name))
-            )
-            {
-                return name;
-            }
-            ++depth;
-        }
-        else if (t == token::END_BLOCK)
-        {
-            --depth;
-        }
-        else if (t.isWord())
-        {
-            name = t.wordToken();
-        }
-        else if (t.isString())
-        {
-            name = t.stringToken();
-        }
-        else if (t == token::DIVIDE)
-        {
-            name += '/';
-        }
-    }
-    return string::null;
-}
-
-} // End namespace capsule
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -189,38 +112,6 @@ void Foam::capsule::membraneSystem::warnOfMomentumLayer
             << " cell widths of the thinner liquid, less than "
             << clearance::resolved << ": this layer, and the damping by it, are"
             << " not resolved" << endl;
-    }
-}
-
-
-void Foam::capsule::membraneSystem::checkNames() const
-{
-    const dictionary& dict = input::subDict(*this, "membranes");
-    const auto refuse = [&](const std::string& name)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Membrane " << name.c_str() << ": a membrane's name is that"
-            << " of files and of dictionary entries, each once; permitted:"
-            << " letters, digits, _, - and ., with a letter, a digit or _"
-            << " first, and no two the same" << exit(FatalIOError);
-    };
-    for (const entry& e : dict)
-    {
-        if (e.keyword().isPattern() || !isName(e.keyword()))
-        {
-            refuse(e.keyword());
-        }
-    }
-
-    string name;
-    if (Pstream::master())
-    {
-        name = wrongName(filePath(), "membranes");
-    }
-    broadcast(name);
-    if (!name.empty())
-    {
-        refuse(name);
     }
 }
 
@@ -330,7 +221,7 @@ Foam::capsule::membraneSystem::membraneSystem
     (
         // Wrong names may have taken the rest of the file with them
         (
-            checkNames(),
+            membraneNames::check(*this),
             couplingMethod::New(input::subDict(*this, "coupling"))
         )
     ),
