@@ -34,6 +34,7 @@ Description
 #include "linearSchemes.H"
 #include "membraneSystem.H"
 #include "drivingForce.H"
+#include "readField.H"
 #include "repeatableStep.H"
 #include "restartableTime.H"
 #include "solverFunctions.H"
