@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "boundaryTypes.H"
+#include "fixedGradientFvPatchFields.H"
 #include "fixedValueFvPatchFields.H"
 #include "zeroGradientFvPatchFields.H"
 #include "inletOutletFvPatchFields.H"
@@ -52,7 +53,8 @@ static const wordHashSet refusedVelocities
 
 static const wordHashSet refusedPressures
 ({
-    "fanPressure", "fixedMean", "fixedPressureCompressibleDensity",
+    "buoyantPressure", "fanPressure", "fixedFluxExtrapolatedPressure",
+    "fixedFluxPressure", "fixedMean", "fixedPressureCompressibleDensity",
     "freeSurfacePressure", "mapped", "mappedField", "outletMappedUniformInlet",
     "plenumPressure", "prghPressure", "prghTotalHydrostaticPressure",
     "prghTotalPressure", "rotatingTotalPressure", "syringePressure",
@@ -69,7 +71,7 @@ static const char* const velocities =
     " pressureInletVelocity";
 
 static const char* const pressures =
-    "zeroGradient; and at a boundary whose velocity is not given fixedValue and"
+    "zeroGradient, a given gradient; and at a boundary whose velocity is not given fixedValue and"
     " those derived from it (uniformFixedValue, exprFixedValue, ...),"
     " totalPressure, uniformTotalPressure";
 
@@ -135,7 +137,10 @@ static void checkPressure(const fvPatchScalarField& pp)
     const bool known =
         isType<zeroGradientFvPatchScalarField>(pp)
      || (
-            isA<fixedValueFvPatchScalarField>(pp)
+            (
+                isA<fixedValueFvPatchScalarField>(pp)
+             || isA<fixedGradientFvPatchScalarField>(pp)
+            )
          && !refusedPressures.found(pp.type())
         );
     if (!known)

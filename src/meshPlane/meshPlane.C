@@ -115,6 +115,21 @@ Foam::capsule::meshPlane::meshPlane(const fvMesh& mesh)
             << " patches of type empty." << exit(FatalError);
     }
 
+    label nEmpty = 0;
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        nEmpty += (isA<emptyPolyPatch>(pp) ? pp.size() : 0);
+    }
+    if (nEmpty != 2*mesh.nCells())
+    {
+        FatalErrorInFunction
+            << "The mesh in " << mesh.boundaryMesh().objectPath() << " has "
+            << mesh.nCells() << " cells and " << nEmpty << " faces on patches"
+            << " of type empty" << nl
+            << "    A plane mesh is one cell thick: two such faces a cell."
+            << exit(FatalError);
+    }
+
     for (direction d = 0; d < 3; ++d)
     {
         if (mesh.geometricD()[d] == -1)

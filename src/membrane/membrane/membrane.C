@@ -90,11 +90,7 @@ void Foam::capsule::membrane::setReference
 )
 {
     const scalar stretch = shape.initialStretch();
-    if
-    (
-        stretch != 1
-     && law_->stiffness(nodalScalars::Constant(1, stretch)).isZero()
-    )
+    if (stretch != 1 && !law_->knowsReference())
     {
         FatalIOErrorInFunction(dict)
             << "Entry initialStretch is " << stretch << ", but the tension of"

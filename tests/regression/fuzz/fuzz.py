@@ -311,7 +311,7 @@ def run(directory, m, timeout):
         return 'hangs', log
     if code < 0 or code >= 128 or 'sigFpe::' in log or 'sigSegv::' in log:
         return 'signal %d' % code, log
-    if re.search('The membranes of .* diverge', log):
+    if re.search('The run ends at time', log):
         return 'diverges', log
     if 'FOAM FATAL' in log:
         message = log[log.index('FOAM FATAL'):]
