@@ -52,7 +52,7 @@ Foam::capsule::membraneMotion::membraneMotion
     scheme_(scheme),
     conserveArea_(conserveArea),
     filter_(filter),
-    excess_(excess(body, predicted, body.now().velocity, 0.25*scheme.c))
+    excess_(excess(body, predicted, body.old(0).velocity, 0.25*scheme.c))
 {
     if (excess_.size())
     {
