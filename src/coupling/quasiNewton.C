@@ -25,10 +25,10 @@ namespace couplingMethods
 }
 }
 
-const Foam::scalar Foam::capsule::couplingMethods::quasiNewton::part_ = 0.03;
+const Foam::scalar Foam::capsule::couplingMethods::quasiNewton::innerTolerance_ = 0.03;
 const Foam::label Foam::capsule::couplingMethods::quasiNewton::maxSteps_ = 20;
-const Foam::scalar Foam::capsule::couplingMethods::quasiNewton::fast_ = 0.7;
-const Foam::scalar Foam::capsule::couplingMethods::quasiNewton::least_ = 0.05;
+const Foam::scalar Foam::capsule::couplingMethods::quasiNewton::maxContraction_ = 0.7;
+const Foam::scalar Foam::capsule::couplingMethods::quasiNewton::minDamping_ = 0.05;
 
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -39,9 +39,9 @@ namespace
     using namespace Foam::capsule;
 
     //- Which derivative of the membranes' forces a Newton step is taken with:
-    //  one found earlier; that at the present answer without what makes waves
-    //  grow; the whole one
-    enum derivative { earlier, stable, whole };
+    //  one found earlier; that at the present response without what makes waves
+    //  grow; the full one
+    enum tangent { earlier, stable, full };
 
     //- The a that makes |r + R a| least
     nodalScalars combination(const nodalMatrix& R, const nodalScalars& r)
@@ -100,47 +100,47 @@ void Foam::capsule::couplingMethods::quasiNewton::start()
 Foam::capsule::nodalScalars Foam::capsule::couplingMethods::quasiNewton::next
 (
     const nodalScalars& x,
-    stressBalance& balance
+    interfaceResidual& problem
 )
 {
-    nodalScalars y = balance.answer();
+    nodalScalars y = problem.fluidResponse();
     learn(x, y);
 
-    const auto stepAt = [&](const nodalScalars& answer)
+    const auto stepAt = [&](const nodalScalars& response)
     {
-        return nodalScalars(balance.step(balance.balance(answer)));
+        return nodalScalars(problem.correction(problem.residual(response)));
     };
     const auto learnt = [&]()
     {
-        return balance.step(balance.balanceChange(dy_));
+        return problem.correction(problem.residualChange(dy_));
     };
 
     nodalScalars result = x;
     nodalScalars r = stepAt(y);
     nodalMatrix R = learnt();
-    derivative known = earlier;
+    tangent known = earlier;
     scalar left = 1;
-    for (label i = 0; i < maxSteps_ && left > part_; ++i)
+    for (label i = 0; i < maxSteps_ && left > innerTolerance_; ++i)
     {
         const nodalScalars a = combination(R, r);
         const nodalScalars t = r + R*a;
-        const nodalScalars dy = dy_*a + balance.answerChange(t);
+        const nodalScalars dy = dy_*a + problem.responseChange(t);
 
-        scalar part = balance.largestPart(dy);
+        scalar part = problem.maxStepLength(dy);
         nodalScalars next = stepAt(y + part*dy);
         const auto falls = [&](const scalar wanted)
         {
             return next.norm() < (1 - wanted*part)*r.norm();
         };
-        while (known != earlier && !falls(0.5) && part > least_)
+        while (known != earlier && !falls(0.5) && part > minDamping_)
         {
             part *= 0.5;
             next = stepAt(y + part*dy);
         }
-        if (known != whole && !falls(known == earlier ? fast_ : 0.5))
+        if (known != full && !falls(known == earlier ? maxContraction_ : 0.5))
         {
-            known = known == earlier ? stable : whole;
-            balance.linearise(y, known == whole);
+            known = known == earlier ? stable : full;
+            problem.linearise(y, known == full);
             r = stepAt(y);
             R = learnt();
             continue;

@@ -305,12 +305,12 @@ void Foam::capsule::directFlowSolver::readOwn(const dictionary& dict)
 {
     const label refactor =
         input::getBetweenOrDefault<label>(dict, "refactor", 6, 1, 10000);
-    conjugateResiduals::readOwn(dict);
+    GCR::readOwn(dict);
     refactor_ = refactor;
 }
 
 
-void Foam::capsule::directFlowSolver::prepare(const fvVectorMatrix& UEqn)
+void Foam::capsule::directFlowSolver::setPreconditioner(const fvVectorMatrix& UEqn)
 {
     made_ = false;
     staleAtStart_ = stale_;
@@ -327,7 +327,7 @@ void Foam::capsule::directFlowSolver::prepare(const fvVectorMatrix& UEqn)
 }
 
 
-void Foam::capsule::directFlowSolver::apply
+void Foam::capsule::directFlowSolver::precondition
 (
     const vectorField& momentum,
     const scalarField& continuity,
@@ -352,7 +352,7 @@ void Foam::capsule::directFlowSolver::apply
 }
 
 
-void Foam::capsule::directFlowSolver::applied(const label iterations)
+void Foam::capsule::directFlowSolver::preconditioned(const label iterations)
 {
     stale_ = stale_ || iterations > refactor_;
 }
@@ -369,7 +369,7 @@ Foam::capsule::directFlowSolver::directFlowSolver
     const dimensionedScalar& rho
 )
 :
-    conjugateResiduals(dict, U, p, phi, rho),
+    GCR(dict, U, p, phi, rho),
     stale_(true),
     made_(false),
     staleAtStart_(true),
@@ -389,6 +389,6 @@ Foam::capsule::directFlowSolver::directFlowSolver
 
 void Foam::capsule::directFlowSolver::restore()
 {
-    conjugateResiduals::restore();
+    GCR::restore();
     stale_ = staleAtStart_ || made_;
 }

@@ -114,7 +114,7 @@ Foam::fileNameList Foam::capsule::directFlowSolver::write() const
         return fileNameList();
     }
 
-    writeWhole
+    writeAtomically
     (
         matrixWriter(matrixFile(IOobject::NO_READ), *factorised_),
         mesh_.time().writeFormat()

@@ -71,7 +71,7 @@ Foam::wordList Foam::capsule::fractionalStep::homogeneous
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
-void Foam::capsule::fractionalStep::prepare(const fvVectorMatrix& UEqn)
+void Foam::capsule::fractionalStep::setPreconditioner(const fvVectorMatrix& UEqn)
 {
     // The matrix of UEqn with homogeneous boundary conditions
     momentumEqn_.reset(new fvVectorMatrix(dU_, UEqn.dimensions()));
@@ -139,7 +139,7 @@ void Foam::capsule::fractionalStep::prepare(const fvVectorMatrix& UEqn)
 }
 
 
-void Foam::capsule::fractionalStep::apply
+void Foam::capsule::fractionalStep::precondition
 (
     const vectorField& momentum,
     const scalarField& continuity,
@@ -201,7 +201,7 @@ Foam::capsule::fractionalStep::fractionalStep
     const dimensionedScalar& rho
 )
 :
-    conjugateResiduals(dict, U, p, phi, rho),
+    GCR(dict, U, p, phi, rho),
     dU_
     (
         IOobject("dU", mesh_.time().timeName(), mesh_),

@@ -77,7 +77,7 @@ void Foam::capsule::kineticEnergyRate::write
     {
         IOdictionary dict(file(U.mesh(), IOobject::NO_READ));
         dict.add("rate", ofStep(U, density));
-        writeWhole(dict, IOstream::ASCII);
+        writeAtomically(dict, IOstream::ASCII);
     }
 }
 

@@ -27,7 +27,7 @@ void Foam::capsule::cutFaces::checkCells() const
     bitSet cut(mesh.nCells());
     List<string> wrong(Pstream::nProcs());
     string& mine = wrong[Pstream::myProcNo()];
-    for (const view& v : views_)
+    for (const cutLink& v : links_)
     {
         if (v.cell != -1 && cut.set(v.cell) && mine.empty())
         {
@@ -121,7 +121,7 @@ Foam::scalar Foam::capsule::cutFaces::crossing
 }
 
 
-void Foam::capsule::cutFaces::addBeyond
+void Foam::capsule::cutFaces::addFarSidePart
 (
     const label facei,
     const vector2& centre,
@@ -132,30 +132,30 @@ void Foam::capsule::cutFaces::addBeyond
 {
     scalar alpha;
     const scalar atEnd = levelSet_.signedDistance(end, alpha);
-    const bool centreBeyond = (atCentre*side < 0);
-    const bool endBeyond = (atEnd*side < 0);
-    if (!centreBeyond && !endBeyond)
+    const bool centreFar = (atCentre*side < 0);
+    const bool endFar = (atEnd*side < 0);
+    if (!centreFar && !endFar)
     {
         return;
     }
 
     scalar from = 0;
     scalar to = 1;
-    if (centreBeyond != endBeyond)
+    if (centreFar != endFar)
     {
-        (endBeyond ? from : to) = crossing(centre, end, atCentre, atEnd);
+        (endFar ? from : to) = crossing(centre, end, atCentre, atEnd);
     }
 
     // Two-point Gauss rule; a half face has half of the face's weight
     for (const scalar gauss : {-1/Foam::sqrt(3.0), 1/Foam::sqrt(3.0)})
     {
         const scalar xi = 0.5*(from + to + gauss*(to - from));
-        beyondDepths_.append
+        farSideDepths_.append
         (
             levelSet_.signedDistance(centre + xi*(end - centre), alpha)
         );
-        beyondAlphas_.append(alpha);
-        beyond_.append({facei, -0.25*(to - from)*side});
+        farSideAlphas_.append(alpha);
+        farSideParts_.append({facei, -0.25*(to - from)*side});
     }
 }
 
@@ -185,14 +185,14 @@ void Foam::capsule::cutFaces::add
 
     if (sideP != sideN)
     {
-        foreign_.append(views_.size() + (side == sideP ? 1 : 0));
+        farSideLinks_.append(links_.size() + (side == sideP ? 1 : 0));
         centreAlphas_.append(alpha);
         centreDepths_.append(atCentre);
-        views_.append
+        links_.append
         ({
             own, neighbour, patchi, facei, 1, sideP, side == sideP, 1 - weight
         });
-        views_.append
+        links_.append
         ({
             patchi == -1 ? neighbour : -1, own, -1, facei, -1, sideN,
             side == sideN, weight
@@ -203,18 +203,18 @@ void Foam::capsule::cutFaces::add
     const Pair<vector2> ends(this->ends(facei));
     for (const vector2& end : ends)
     {
-        addBeyond(facei, centre, end, atCentre, side);
+        addFarSidePart(facei, centre, end, atCentre, side);
     }
 }
 
 
-Foam::capsule::jumpConditions::targets Foam::capsule::cutFaces::targets
+Foam::capsule::jumpConditions::footPoints Foam::capsule::cutFaces::footPoints
 (
     const UList<scalar>& alphas,
     const UList<scalar>& depths
 ) const
 {
-    return jumpConditions::targets
+    return jumpConditions::footPoints
     (
         levelSet_.curve(),
         Eigen::Map<const nodalScalars>(alphas.cdata(), alphas.size()),
@@ -267,7 +267,7 @@ Foam::capsule::cutFaces::cutFaces(const membraneLevelSet& levelSet)
             continue;
         }
         const label patchi = patch.index();
-        const scalarField beyondPatch
+        const scalarField acrossPatch
         (
             side.boundaryField()[patchi].patchNeighbourField()
         );
@@ -278,7 +278,7 @@ Foam::capsule::cutFaces::cutFaces(const membraneLevelSet& levelSet)
                 add
                 (
                     patch.start() + i, patchi, i,
-                    side[patch.faceCells()[i]], beyondPatch[i],
+                    side[patch.faceCells()[i]], acrossPatch[i],
                     mesh.weights().boundaryField()[patchi][i]
                 );
             }

@@ -98,7 +98,7 @@ Gradient Foam::capsule::immersedInterface::addGaussGradient
     const fvMesh& mesh = levelSet_.mesh();
     Gradient total(Zero);
 
-    for (const cutFaces::view& v : faces_.views())
+    for (const cutFaces::cutLink& v : faces_.links())
     {
         if (v.cell != -1)
         {
@@ -131,12 +131,12 @@ Foam::capsule::immersedInterface::immersedInterface
     cutVolume_(0),
     insideVolume_(0),
     centres_(faces_.centres()),
-    beyond_(faces_.pointsBeyond()),
+    farSideParts_(faces_.farSidePoints()),
     U_(zeroField<vector>("jumpU:" + name, mesh, dimVelocity)),
     p_(zeroField<scalar>("jumpp:" + name, mesh, dimPressure)),
     gradp_(zeroField<vector>("jumpGradp:" + name, mesh, dimPressure/dimLength))
 {
-    for (const cutFaces::view& v : faces_.views())
+    for (const cutFaces::cutLink& v : faces_.links())
     {
         if (v.cell != -1)
         {
@@ -167,20 +167,20 @@ void Foam::capsule::immersedInterface::setJumps(const jumpConditions& jumps)
     takeNeighbours(p_);
     takeNeighbours(gradp_);
 
-    beyondU_ = jumps.velocity(beyond_);
+    farSideU_ = jumps.velocity(farSideParts_);
 
     // What linear interpolation to a face gets wrong of its average, in the
     // flux: n.(w (1 - w)/2 d d - e e/24) : grad grad u, with d between the cell
     // centres and e along the face
     const fvMesh& mesh = levelSet_.mesh();
-    const label n = faces_.foreign().size();
+    const label n = faces_.farSideLinks().size();
     nodalVectors normal(n, 2);
     nodalVectors across(n, 2);
     nodalVectors along(n, 2);
     nodalScalars weight(n);
     for (label i = 0; i < n; ++i)
     {
-        const cutFaces::view& v = faces_.views()[faces_.foreign()[i]];
+        const cutFaces::cutLink& v = faces_.links()[faces_.farSideLinks()[i]];
         const vector2 S =
             levelSet_.plane()(cutFaces::value(mesh.Sf(), v.face));
         normal.row(i) = S.normalized();
@@ -189,7 +189,7 @@ void Foam::capsule::immersedInterface::setJumps(const jumpConditions& jumps)
         along.row(i) = turned(S)/levelSet_.plane().thickness();
         weight(i) = 0.5*v.weight*(1 - v.weight);
     }
-    misfit_ = dot
+    interpolationError_ = dot
     (
         normal,
         scaled(weight, jumps.velocityCurvature(centres_, across))
@@ -209,7 +209,7 @@ Foam::vector Foam::capsule::immersedInterface::addLaplacian
     const surfaceScalarField& delta = mesh.nonOrthDeltaCoeffs();
     vector total(Zero);
 
-    for (const cutFaces::view& v : faces_.views())
+    for (const cutFaces::cutLink& v : faces_.links())
     {
         if (v.cell != -1)
         {
@@ -252,7 +252,7 @@ void Foam::capsule::immersedInterface::addConvection
     volVectorField& source
 ) const
 {
-    for (const cutFaces::view& v : faces_.views())
+    for (const cutFaces::cutLink& v : faces_.links())
     {
         if (v.cell != -1)
         {
@@ -285,9 +285,9 @@ void Foam::capsule::immersedInterface::addFlux
 {
     const fvMesh& mesh = levelSet_.mesh();
 
-    for (const cutFaces::view& v : faces_.views())
+    for (const cutFaces::cutLink& v : faces_.links())
     {
-        if (v.ownsFlux)
+        if (v.ownsFace)
         {
             const vector& S = cutFaces::value(mesh.Sf(), v.face);
             const vector U = v.weight*seen(U_, v);
@@ -305,10 +305,10 @@ void Foam::capsule::immersedInterface::addFlux
         }
     }
 
-    forAll(faces_.partsBeyond(), i)
+    forAll(faces_.farSideParts(), i)
     {
-        const cutFaces::beyond& b = faces_.partsBeyond()[i];
-        const vector U = levelSet_.plane().toVector(beyondU_.row(i));
+        const cutFaces::farSidePart& b = faces_.farSideParts()[i];
+        const vector U = levelSet_.plane().toVector(farSideU_.row(i));
         addOnFace
         (
             flux, b.face, b.weight*(U & cutFaces::value(mesh.Sf(), b.face))
@@ -317,7 +317,7 @@ void Foam::capsule::immersedInterface::addFlux
 }
 
 
-void Foam::capsule::immersedInterface::addDivergence
+void Foam::capsule::immersedInterface::addInterpolationDivergence
 (
     volScalarField& divergence
 ) const
@@ -325,13 +325,13 @@ void Foam::capsule::immersedInterface::addDivergence
     const fvMesh& mesh = levelSet_.mesh();
     scalar total = 0;
 
-    forAll(faces_.foreign(), i)
+    forAll(faces_.farSideLinks(), i)
     {
-        const cutFaces::view& v = faces_.views()[faces_.foreign()[i]];
+        const cutFaces::cutLink& v = faces_.links()[faces_.farSideLinks()[i]];
         if (v.cell != -1)
         {
             const scalar flux =
-               -v.sign*v.side*misfit_(i)*cutFaces::value(mesh.magSf(), v.face);
+               -v.sign*v.side*interpolationError_(i)*cutFaces::value(mesh.magSf(), v.face);
             divergence[v.cell] += flux/mesh.V()[v.cell];
             total += flux;
         }

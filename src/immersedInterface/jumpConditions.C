@@ -38,7 +38,7 @@ enum term
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::capsule::jumpConditions::targets::targets
+Foam::capsule::jumpConditions::footPoints::footPoints
 (
     const closedCurve& curve,
     const nodalScalars& alpha,
@@ -100,7 +100,7 @@ Foam::capsule::jumpConditions::jumpConditions
 
 Foam::capsule::nodalVectors Foam::capsule::jumpConditions::velocity
 (
-    const targets& at
+    const footPoints& at
 ) const
 {
     const nodalMatrix u = at.interpolation*terms_.middleCols<4>(U1);
@@ -112,7 +112,7 @@ Foam::capsule::nodalVectors Foam::capsule::jumpConditions::velocity
 
 Foam::capsule::nodalVectors Foam::capsule::jumpConditions::velocityCurvature
 (
-    const targets& at,
+    const footPoints& at,
     const nodalVectors& d
 ) const
 {
@@ -134,7 +134,7 @@ Foam::capsule::nodalVectors Foam::capsule::jumpConditions::velocityCurvature
 
 Foam::capsule::nodalScalars Foam::capsule::jumpConditions::pressure
 (
-    const targets& at
+    const footPoints& at
 ) const
 {
     const nodalMatrix p = at.interpolation*terms_.middleCols<3>(P0);
@@ -146,7 +146,7 @@ Foam::capsule::nodalScalars Foam::capsule::jumpConditions::pressure
 
 Foam::capsule::nodalVectors Foam::capsule::jumpConditions::pressureGradient
 (
-    const targets& at
+    const footPoints& at
 ) const
 {
     const nodalMatrix p = at.interpolation*terms_.middleCols<5>(P1);

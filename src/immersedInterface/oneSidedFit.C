@@ -133,8 +133,8 @@ Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::fit
     const bool jumping
 ) const
 {
-    const membraneLevelSet& distance = interface_.distance();
-    const labelUList& cells = distance.cells();
+    const membraneLevelSet& levelSet = interface_.levelSet();
+    const labelUList& cells = levelSet.cells();
     const label components = (p ? 3 : 2);
 
     // Values as the side sees them
@@ -142,7 +142,7 @@ Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::fit
     forAll(cells, i)
     {
         const label celli = cells[i];
-        const scalar cellSide = distance.side()[celli];
+        const scalar cellSide = levelSet.side()[celli];
         const scalar beyond = (jumping && cellSide != side_ ? cellSide : 0);
 
         vector u = U[celli];
@@ -150,7 +150,7 @@ Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::fit
         {
             u -= beyond*interface_.jumpU()[celli];
         }
-        local.block<1, 2>(i, 0) = distance.plane()(u);
+        local.block<1, 2>(i, 0) = levelSet.plane()(u);
 
         if (p)
         {
@@ -196,24 +196,24 @@ Foam::capsule::oneSidedFit::oneSidedFit
     side_(side),
     sizes_(Pstream::nProcs(), Zero)
 {
-    const membraneLevelSet& distance = interface.distance();
-    const labelUList& cells = distance.cells();
-    const closedCurve& curve = distance.curve();
-    const scalar width = distance.width();
+    const membraneLevelSet& levelSet = interface.levelSet();
+    const labelUList& cells = levelSet.cells();
+    const closedCurve& curve = levelSet.curve();
+    const scalar width = levelSet.width();
 
     sizes_[Pstream::myProcNo()] = cells.size();
     allGatherList(sizes_);
 
     // Centre, distance, size: tensor and direction
-    const cellSearch& search = cellSearch::New(distance.mesh());
+    const cellSearch& search = cellSearch::New(levelSet.mesh());
     nodalMatrix local(cells.size(), 9);
     forAll(cells, i)
     {
         const cellSearch::size& size = search.ofCell(cells[i]);
         const Eigen::Matrix<scalar, 2, 2> tensor = size.tensor();
         local.row(i) <<
-            distance.image(distance.mesh().C()[cells[i]]),
-            -side*distance.distance()(i),
+            levelSet.image(levelSet.mesh().C()[cells[i]]),
+            -side*levelSet.distance()(i),
             tensor.row(0), tensor.row(1),
             size.direction;
     }
@@ -226,7 +226,7 @@ Foam::capsule::oneSidedFit::oneSidedFit
         const vector2 x = curve.nodes().row(node);
 
         DynamicList<lineOfSight::obstacle> obstacles;
-        for (const lineOfSight::obstacle& o : distance.obstacles())
+        for (const lineOfSight::obstacle& o : levelSet.obstacles())
         {
             const scalar length = (o.second() - o.first()).norm();
             if ((o.first() - x).norm() < radius*width + length)
@@ -302,7 +302,7 @@ Foam::capsule::oneSidedFit::oneSidedFit
         {
             FatalErrorInFunction
                 << "Only " << near.size() << " cells around the membrane "
-                << distance.name() << " at " << distance.plane().toPoint(x)
+                << levelSet.name() << " at " << levelSet.plane().toPoint(x)
                 << ": it has left the mesh or touches a wall"
                 << exit(FatalError);
         }

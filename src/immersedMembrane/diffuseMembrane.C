@@ -46,10 +46,10 @@ void Foam::capsule::diffuseMembrane::place(const nodalVectors& nodes)
     (
         new membraneLevelSet
         (
-            body_.name(),
+            membrane_.name(),
             mesh_,
             plane_,
-            closedCurve(body_.basis(), nodes),
+            closedCurve(membrane_.basis(), nodes),
             bandWidth_
         )
     );
@@ -129,7 +129,7 @@ const Foam::capsule::oneSidedFit& Foam::capsule::diffuseMembrane::fit() const
         (
             new immersedInterface
             (
-                body_.name(), mesh_, plane_, curve(), oneSidedFit::radius
+                membrane_.name(), mesh_, plane_, curve(), oneSidedFit::radius
             )
         );
         fit_.reset(new oneSidedFit(*interface_, -1));
@@ -140,9 +140,9 @@ const Foam::capsule::oneSidedFit& Foam::capsule::diffuseMembrane::fit() const
 
 void Foam::capsule::diffuseMembrane::start(const volVectorField& U)
 {
-    membrane::state& now = body_.now();
+    membrane::state& now = membrane_.now();
     place(now.interface);
-    if (body_.nOld() == 0)
+    if (membrane_.nOld() == 0)
     {
         now.velocity = interpolate(U);
     }
@@ -151,22 +151,22 @@ void Foam::capsule::diffuseMembrane::start(const volVectorField& U)
 
 void Foam::capsule::diffuseMembrane::predict(const couplingMethod& method)
 {
-    const label n = 2*body_.size();
-    const closedCurve predictedCurve(ahead());
-    advance(predictedCurve.nodes());
+    const label n = 2*membrane_.size();
+    const closedCurve predictedCurve(predictedSurface());
+    extrapolateState(predictedCurve.nodes());
     place(predictedCurve.nodes());
 
     // Shorter waves fade in the spreading
     const nodalMatrix slow = filter(curve(), forceWaves_);
     nodalMatrix response =
-        freeSpaceResponse::velocity(curve(), 0.5*(1 + ratio_)*mu_);
+        freeSpaceResponse::singleLayer(curve(), 0.5*(1 + ratio_)*mu_);
     response.topRows(n/2) = slow*response.topRows(n/2);
     response.bottomRows(n/2) = slow*response.bottomRows(n/2);
 
     setResponse(predictedCurve, method, nodalMatrix::Identity(n, n), response);
     if (!method.implicitStress())
     {
-        body_.now().force = body_.force(predictedCurve, curve().metric());
+        membrane_.now().force = membrane_.force(predictedCurve, curve().metric());
     }
 }
 
@@ -174,7 +174,7 @@ void Foam::capsule::diffuseMembrane::predict(const couplingMethod& method)
 void Foam::capsule::diffuseMembrane::restore()
 {
     immersedMembrane::restore();
-    place(body_.now().interface);
+    place(membrane_.now().interface);
 }
 
 
@@ -219,10 +219,10 @@ void Foam::capsule::diffuseMembrane::addSources
     const volScalarField&
 )
 {
-    const scalar spacing = constant::mathematical::twoPi/body_.size();
+    const scalar spacing = constant::mathematical::twoPi/membrane_.size();
     const nodalVectors spread =
         delta_.transpose()
-       *scaled(spacing*curve().metric(), body_.now().force);
+       *scaled(spacing*curve().metric(), membrane_.now().force);
 
     forAll(levelSet_->cells(), i)
     {

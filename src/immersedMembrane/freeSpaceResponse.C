@@ -47,7 +47,7 @@ static nodalScalars logarithmWeights(const label n)
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-Foam::capsule::nodalMatrix Foam::capsule::freeSpaceResponse::velocity
+Foam::capsule::nodalMatrix Foam::capsule::freeSpaceResponse::singleLayer
 (
     const closedCurve& curve,
     const scalar mu
@@ -93,7 +93,7 @@ Foam::capsule::nodalMatrix Foam::capsule::freeSpaceResponse::velocity
 }
 
 
-Foam::capsule::nodalMatrix Foam::capsule::freeSpaceResponse::traction
+Foam::capsule::nodalMatrix Foam::capsule::freeSpaceResponse::adjointDoubleLayer
 (
     const closedCurve& curve
 )

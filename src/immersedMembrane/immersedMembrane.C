@@ -29,7 +29,7 @@ namespace capsule
 }
 }
 
-const Foam::scalar Foam::capsule::immersedMembrane::reach_ = 2;
+const Foam::scalar Foam::capsule::immersedMembrane::maxMove_ = 2;
 
 const Foam::Enum<Foam::capsule::immersedMembrane::levelSetWritten>
 Foam::capsule::immersedMembrane::levelSetNames_
@@ -51,38 +51,38 @@ Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::filter
     return curve.basis().lowPass
     (
         waves*curve.perimeter()
-       /(constant::mathematical::twoPi*distance().width())
+       /(constant::mathematical::twoPi*levelSet().width())
     );
 }
 
 
-Foam::capsule::closedCurve Foam::capsule::immersedMembrane::ahead() const
+Foam::capsule::closedCurve Foam::capsule::immersedMembrane::predictedSurface() const
 {
     return closedCurve
     (
-        body_.basis(),
+        membrane_.basis(),
         predicted(mesh_.time().deltaTValue(), mesh_.time().deltaT0Value())
     );
 }
 
 
-void Foam::capsule::immersedMembrane::advance(const nodalVectors& nodes)
+void Foam::capsule::immersedMembrane::extrapolateState(const nodalVectors& nodes)
 {
     if (layer_.valid())
     {
-        layer_->add(body_, mesh_.time().deltaT0Value());
+        layer_->add(membrane_, mesh_.time().deltaT0Value());
     }
-    body_.store();
+    membrane_.store();
 
-    membrane::state& now = body_.now();
+    membrane::state& now = membrane_.now();
     now.interface = nodes;
     now.x = nodes;
-    if (body_.nOld() == 2)
+    if (membrane_.nOld() == 2)
     {
         const scalar ratio =
             mesh_.time().deltaTValue()/mesh_.time().deltaT0Value();
-        const membrane::state& old = body_.old(0);
-        const membrane::state& older = body_.old(1);
+        const membrane::state& old = membrane_.old(0);
+        const membrane::state& older = membrane_.old(1);
 
         now.force += ratio*(old.force - older.force);
         now.velocity += ratio*(old.velocity - older.velocity);
@@ -98,15 +98,15 @@ Foam::scalar Foam::capsule::immersedMembrane::forceNoise
 {
     // A wave from point to point, along and across the membrane, small against
     // the distance of the points
-    const scalar height = 1e-4*curve.perimeter()/body_.size();
+    const scalar height = 1e-4*curve.perimeter()/membrane_.size();
     nodalVectors x(curve.nodes());
     for (Eigen::Index i = 0; i < x.rows(); ++i)
     {
         x.row(i).array() += (i % 2 ? -height : height);
     }
     const nodalVectors change =
-        body_.force(closedCurve(body_.basis(), x), curve.metric())
-      - body_.force(curve, curve.metric());
+        membrane_.force(closedCurve(membrane_.basis(), x), curve.metric())
+      - membrane_.force(curve, curve.metric());
 
     return SMALL*curve.nodes().cwiseAbs().maxCoeff()/height*rms(change);
 }
@@ -114,37 +114,37 @@ Foam::scalar Foam::capsule::immersedMembrane::forceNoise
 
 void Foam::capsule::immersedMembrane::setResponse
 (
-    const closedCurve& ahead,
+    const closedCurve& predictedCurve,
     const couplingMethod& method,
-    const nodalMatrix& fluid,
-    const nodalMatrix& velocity
+    const nodalMatrix& fluidJacobian,
+    const nodalMatrix& mobility
 )
 {
     motion_.reset
     (
         new membraneMotion
         (
-            body_,
+            membrane_,
             curve(),
-            ahead,
+            predictedCurve,
             filter(curve(), membraneMotion::waves),
-            timeScheme(mesh_, "ddt(membranes)", body_.nOld()),
+            timeScheme(mesh_, "ddt(membranes)", membrane_.nOld()),
             method.conserveArea()
         )
     );
     implicit_ = method.implicitStress();
-    explicitForce_ = body_.force(ahead, curve().metric());
-    forceNoise_ = forceNoise(ahead);
-    fluid_ = fluid;
-    velocity_ = velocity;
+    explicitForce_ = membrane_.force(predictedCurve, curve().metric());
+    forceNoise_ = forceNoise(predictedCurve);
+    fluidJacobian_ = fluidJacobian;
+    mobility_ = mobility;
     if (implicit_ && method.usesResponse())
     {
-        displacement_ = motion_->displacements(velocity_);
+        displacementResponse_ = motion_->displacements(mobility_);
         linearise(curve(), false);
     }
     else
     {
-        derivative_.compute(fluid_);
+        derivative_.compute(fluidJacobian_);
     }
 }
 
@@ -168,8 +168,8 @@ Foam::capsule::immersedMembrane::immersedMembrane
     plane_(plane),
     rho_(density),
     mu_(viscosity),
-    body_(name, dict, plane, mesh),
-    ratio_(body_.viscosity()/viscosity)
+    membrane_(name, dict, plane, mesh),
+    ratio_(membrane_.viscosity()/viscosity)
 {
     if (timeScheme(mesh_, "ddt(U)", 0).c != 0)
     {
@@ -226,16 +226,16 @@ Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted
     const scalar dt0
 ) const
 {
-    const membrane::state& now = body_.now();
+    const membrane::state& now = membrane_.now();
 
-    if (body_.nOld() > 0)
+    if (membrane_.nOld() > 0)
     {
-        return now.x + dt/dt0*(now.x - body_.old(0).x);
+        return now.x + dt/dt0*(now.x - membrane_.old(0).x);
     }
     nodalVectors velocity = now.velocity;
-    const closedCurve curve = body_.curve();
+    const closedCurve curve = membrane_.curve();
     const nodalScalars w =
-        membraneMotion::excess(body_, curve, velocity, 0.25/dt);
+        membraneMotion::excess(membrane_, curve, velocity, 0.25/dt);
     if (w.size())
     {
         velocity += scaled(w, curve.tangent());
@@ -246,7 +246,7 @@ Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted
 
 void Foam::capsule::immersedMembrane::restore()
 {
-    body_.restore();
+    membrane_.restore();
 
     // Its curve goes with the interface
     motion_.clear();
@@ -255,17 +255,17 @@ void Foam::capsule::immersedMembrane::restore()
 
 Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::unknowns() const
 {
-    return stacked(body_.now().force);
+    return stacked(membrane_.now().force);
 }
 
 
 void Foam::capsule::immersedMembrane::setUnknowns(const nodalScalars& x)
 {
-    body_.now().force = unstacked(x.head(2*body_.size()));
+    membrane_.now().force = unstacked(x.head(2*membrane_.size()));
 }
 
 
-Foam::capsule::immersedMembrane::correction
+Foam::capsule::immersedMembrane::imbalance
 Foam::capsule::immersedMembrane::correct
 (
     const volVectorField& U,
@@ -273,67 +273,67 @@ Foam::capsule::immersedMembrane::correct
     const vector2& driving
 )
 {
-    const label n = body_.size();
-    membrane::state& now = body_.now();
+    const label n = membrane_.size();
+    membrane::state& now = membrane_.now();
 
     const nodalVectors fluid = velocity(U, p);
     now.velocity = motion_->velocity(fluid);
     now.x = motion_->points(now.velocity);
 
-    const nodalVectors contrast = contrastForce(driving);
+    const nodalVectors contrast = contrastTraction(driving);
     const nodalVectors rest = contrast - now.force;
-    const nodalScalars other = otherBalance();
-    answer_.resize(4*n + other.size());
-    answer_ << stacked(fluid), stacked(rest), other;
+    const nodalScalars other = inertiaResidual();
+    fluidResponse_.resize(4*n + other.size());
+    fluidResponse_ << stacked(fluid), stacked(rest), other;
 
-    const nodalScalars imbalance = balance(answer_);
-    const nodalVectors F = unstacked(imbalance.head(2*n)) - rest;
+    const nodalScalars left = residual(fluidResponse_);
+    const nodalVectors F = unstacked(left.head(2*n)) - rest;
     const scalar size =
         rms(F) + 0.5*(1 + ratio_)*mu_*rms(curve().ds(now.velocity)) + VSMALL;
-    const nodalScalars change = step(imbalance);
+    const nodalScalars change = correction(left);
 
-    const scalar shear = (1 + ratio_)*mu_*rms(now.velocity)/distance().width();
+    const scalar shear = (1 + ratio_)*mu_*rms(now.velocity)/levelSet().width();
     const scalar noise =
         10*forceNoise_ + 100*SMALL*(rms(now.force) + rms(contrast) + shear);
 
-    correction result;
+    imbalance result;
     result.stress = max(rms(unstacked(change)) - noise, scalar(0))/size;
-    result.displacement = cells(velocity_*change.head(2*n));
+    result.displacement = cells(mobility_*change.head(2*n));
     return result;
 }
 
 
 Foam::scalar Foam::capsule::immersedMembrane::offset() const
 {
-    const membrane::state& now = body_.now();
+    const membrane::state& now = membrane_.now();
 
     return
         (now.x - now.interface).rowwise().norm().maxCoeff()
-       /distance().width();
+       /levelSet().width();
 }
 
 
 Foam::scalar Foam::capsule::immersedMembrane::momentumThickness() const
 {
-    const scalar width = distance().width();
+    const scalar width = levelSet().width();
 
     return
         layer_.valid()
-      ? layer_->thickness(body_, min(ratio_, scalar(1))*mu_/rho_, width)/width
+      ? layer_->thickness(membrane_, min(ratio_, scalar(1))*mu_/rho_, width)/width
       : GREAT;
 }
 
 
 void Foam::capsule::immersedMembrane::write() const
 {
-    body_.write(mesh_.time());
-    body_.writeCloud(mesh_);
+    membrane_.write(mesh_.time());
+    membrane_.writeCloud(mesh_);
     if (levelSet_ == levelSetWritten::near)
     {
-        distance().near()().write();
+        levelSet().near()().write();
     }
     else if (levelSet_ == levelSetWritten::whole)
     {
-        distance().whole()().write();
+        levelSet().whole()().write();
     }
 }

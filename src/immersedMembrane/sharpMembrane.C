@@ -30,17 +30,17 @@ const Foam::scalar Foam::capsule::sharpMembrane::shapeWaves_ = 1.6;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::capsule::immersedInterface* Foam::capsule::sharpMembrane::placed
+Foam::capsule::immersedInterface* Foam::capsule::sharpMembrane::makeInterface
 (
     const nodalVectors& nodes
 ) const
 {
     return new immersedInterface
     (
-        body_.name(),
+        membrane_.name(),
         mesh_,
         plane_,
-        closedCurve(body_.basis(), nodes),
+        closedCurve(membrane_.basis(), nodes),
         oneSidedFit::radius
     );
 }
@@ -64,14 +64,14 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::resolved
 Foam::capsule::nodalVectors
 Foam::capsule::sharpMembrane::resolvedForce() const
 {
-    return resolved(curve(), resolving_, body_.now().force);
+    return resolved(curve(), resolving_, membrane_.now().force);
 }
 
 
 Foam::capsule::nodalScalars
 Foam::capsule::sharpMembrane::unresolvedForce() const
 {
-    return stacked(body_.now().force - resolvedForce());
+    return stacked(membrane_.now().force - resolvedForce());
 }
 
 
@@ -81,7 +81,7 @@ void Foam::capsule::sharpMembrane::setJumps
     const membrane::state& s
 )
 {
-    const closedCurve& curve = interface.distance().curve();
+    const closedCurve& curve = interface.levelSet().curve();
     const nodalMatrix passed = filter(curve, forceWaves_);
 
     interface.setJumps
@@ -91,7 +91,7 @@ void Foam::capsule::sharpMembrane::setJumps
             curve,
             resolved(curve, passed, s.force),
             s.inertia,
-            nodalScalars::Zero(body_.size()),
+            nodalScalars::Zero(membrane_.size()),
             mu_
         )
     );
@@ -110,7 +110,7 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::velocity
 
     return
         fluid_.value.leftCols(2)
-      + unstacked(velocityResponse()*unresolvedForce());
+      + unstacked(mobility()*unresolvedForce());
 }
 
 
@@ -138,10 +138,10 @@ Foam::capsule::sharpMembrane::sharpMembrane
 void Foam::capsule::sharpMembrane::start(const volVectorField& U)
 {
     U_ = &U;
-    membrane::state& now = body_.now();
-    interface_.reset(placed(now.interface));
+    membrane::state& now = membrane_.now();
+    interface_.reset(makeInterface(now.interface));
     setScale();
-    if (body_.nOld() == 0 && inertial())
+    if (membrane_.nOld() == 0 && inertial())
     {
         // No boundary layers yet
         now.inertia = scaled(-viscousForce(now), curve().tangent());
@@ -149,43 +149,43 @@ void Foam::capsule::sharpMembrane::start(const volVectorField& U)
     setJumps(*interface_, now);
     fit_.reset(new oneSidedFit(*interface_, fitSide()));
 
-    if (body_.nOld() == 0)
+    if (membrane_.nOld() == 0)
     {
         // No velocity yet but that of the initial field
         now.velocity = (*fit_)(U, nullptr).value;
     }
     else if (keepsInterfaces())
     {
-        old_[0].reset(placed(body_.old(0).interface));
-        setJumps(*old_[0], body_.old(0));
+        old_[0].reset(makeInterface(membrane_.old(0).interface));
+        setJumps(*old_[0], membrane_.old(0));
     }
 }
 
 
 void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
 {
-    const closedCurve predictedCurve(ahead());
+    const closedCurve predictedCurve(predictedSurface());
     const nodalVectors nodes = filter(predictedCurve, shapeWaves_)*predictedCurve.nodes();
-    advance(nodes);
+    extrapolateState(nodes);
 
     if (keepsInterfaces())
     {
         old_[1].reset(old_[0].release());
         old_[0].reset(interface_.release());
     }
-    interface_.reset(placed(nodes));
+    interface_.reset(makeInterface(nodes));
     fit_.reset(new oneSidedFit(*interface_, fitSide()));
     if (old_[0].valid())
     {
         // As a restart has them, without the Laplacian of the pressure
-        setJumps(*old_[0], body_.old(0));
+        setJumps(*old_[0], membrane_.old(0));
     }
     fluid_ = oneSidedFit::fitted();
 
     setScale();
     if (inertial())
     {
-        oldViscousForce_ = viscousForce(body_.old(0));
+        oldViscousForce_ = viscousForce(membrane_.old(0));
     }
     resolving_ = filter(curve(), forceWaves_);
     setResponse
@@ -193,11 +193,11 @@ void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
         predictedCurve,
         method,
         fluidDerivative(method),
-        freeSpaceResponse::velocity(curve(), mu_)
+        freeSpaceResponse::singleLayer(curve(), mu_)
     );
     if (ratio_ != 1)
     {
-        body_.now().inertia = inertia();
+        membrane_.now().inertia = inertia();
     }
 }
 
@@ -214,8 +214,8 @@ void Foam::capsule::sharpMembrane::restore()
     else
     {
         // Not kept in Stokes flow
-        interface_.reset(placed(body_.now().interface));
-        setJumps(*interface_, body_.now());
+        interface_.reset(makeInterface(membrane_.now().interface));
+        setJumps(*interface_, membrane_.now());
     }
     fit_.reset(new oneSidedFit(*interface_, fitSide()));
 }
@@ -229,7 +229,7 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::unknowns() const
         return f;
     }
     nodalScalars result(2*f.size());
-    result << f, distance().width()*stacked(body_.now().inertia);
+    result << f, levelSet().width()*stacked(membrane_.now().inertia);
     return result;
 }
 
@@ -239,8 +239,8 @@ void Foam::capsule::sharpMembrane::setUnknowns(const nodalScalars& x)
     immersedMembrane::setUnknowns(x);
     if (inertial())
     {
-        body_.now().inertia =
-            unstacked(x.tail(2*body_.size())/distance().width());
+        membrane_.now().inertia =
+            unstacked(x.tail(2*membrane_.size())/levelSet().width());
     }
 }
 
@@ -263,7 +263,7 @@ void Foam::capsule::sharpMembrane::addSources
             (
                 curve(),
                 f,
-                body_.now().inertia,
+                membrane_.now().inertia,
                 pressureLaplacian,
                 mu_
             )
@@ -271,7 +271,7 @@ void Foam::capsule::sharpMembrane::addSources
     };
     if (!flux || fluid_.value.rows() == 0)
     {
-        setJumps(nodalScalars::Zero(body_.size()));
+        setJumps(nodalScalars::Zero(membrane_.size()));
     }
     if (flux)
     {
@@ -289,7 +289,7 @@ void Foam::capsule::sharpMembrane::addSources
         interface_->addLaplacian(mu_, viscousScale_, sources.momentum)
       - interface_->addGradient(sources.gradient);
     interface_->addFlux(sources.flux, sources.pressureFlux);
-    interface_->addDivergence(sources.divergence);
+    interface_->addInterpolationDivergence(sources.divergence);
 
     if (!inertial())
     {

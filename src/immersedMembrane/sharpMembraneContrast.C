@@ -18,12 +18,12 @@ Foam::capsule::nodalMatrix Foam::capsule::sharpMembrane::fluidDerivative
     const couplingMethod& method
 )
 {
-    const label n = body_.size();
+    const label n = membrane_.size();
     nodalMatrix derivative = nodalMatrix::Identity(2*n, 2*n);
 
     if (ratio_ != 1)
     {
-        traction_ = freeSpaceResponse::traction(curve());
+        traction_ = freeSpaceResponse::adjointDoubleLayer(curve());
         traction_.diagonal().array() += 0.5;
         if (!method.usesResponse())
         {
@@ -49,14 +49,14 @@ Foam::capsule::nodalMatrix Foam::capsule::sharpMembrane::fluidDerivative
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastForce
+Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastTraction
 (
     const vector2& driving
 )
 {
     if (ratio_ == 1)
     {
-        return immersedMembrane::contrastForce(driving);
+        return immersedMembrane::contrastTraction(driving);
     }
     const nodalVectors& n = curve().normal();
     const nodalVectors& t = curve().tangent();
@@ -64,7 +64,7 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastForce
     // The real pressure, scaled: see membraneSystem, driven flow
     nodalScalars pressure =
         fluid_.pressure(mu_)
-      - (curve().nodes().rowwise() - distance().centre())*driving.transpose();
+      - (curve().nodes().rowwise() - levelSet().centre())*driving.transpose();
     nodalVectors viscous = fluid_.viscous(n, mu_);
     nodalScalars vorticity = mu_*fluid_.vorticity();
     if (fitSide() > 0)
@@ -109,8 +109,8 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastForce
         viscous -= t*(moment(corrected)/(ratio_*moment(t)));
     }
 
-    body_.now().inner.col(0) = vorticity;
-    body_.now().inner.col(1) = pressure/scale_;
+    membrane_.now().inner.col(0) = vorticity;
+    membrane_.now().inner.col(1) = pressure/scale_;
 
     return (1 - ratio_)*(viscous - pressureWeight()*scaled(pressure, n));
 }

@@ -25,8 +25,8 @@ Foam::scalar Foam::capsule::sharpMembrane::viscousNumber
 ) const
 {
     const scalar inertia =
-        rho_*timeScheme(mesh_, "ddt(U)", body_.nOld()).c
-       *sqr(interface_->distance().width());
+        rho_*timeScheme(mesh_, "ddt(U)", membrane_.nOld()).c
+       *sqr(interface_->levelSet().width());
 
     return inertia > 0 ? viscosity/inertia : GREAT;
 }
@@ -34,7 +34,7 @@ Foam::scalar Foam::capsule::sharpMembrane::viscousNumber
 
 Foam::scalar Foam::capsule::sharpMembrane::lowerViscousNumber() const
 {
-    return viscousNumber(min(mu_, body_.viscosity()));
+    return viscousNumber(min(mu_, membrane_.viscosity()));
 }
 
 
@@ -49,7 +49,7 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::viscousForce
     const membrane::state& s
 ) const
 {
-    const closedCurve curve(body_.basis(), s.interface);
+    const closedCurve curve(membrane_.basis(), s.interface);
     const nodalVectors f =
         resolved(curve, filter(curve, forceWaves_), s.force);
 
@@ -83,14 +83,14 @@ Foam::scalar Foam::capsule::sharpMembrane::pressureWeight() const
 
 Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::inertia() const
 {
-    const timeScheme scheme(mesh_, "ddt(U)", body_.nOld());
-    const membrane::state& now = body_.now();
+    const timeScheme scheme(mesh_, "ddt(U)", membrane_.nOld());
+    const membrane::state& now = membrane_.now();
 
     nodalVectors force =
-        scheme.c*now.velocity - scheme.c0*body_.old(0).velocity;
+        scheme.c*now.velocity - scheme.c0*membrane_.old(0).velocity;
     if (scheme.c00 != 0)
     {
-        force += scheme.c00*body_.old(1).velocity;
+        force += scheme.c00*membrane_.old(1).velocity;
     }
     if (scheme.c != 0 && excess().size())
     {
@@ -133,7 +133,7 @@ Foam::capsule::sharpMembrane::pressureLaplacian() const
 
     // The gradient jumps by n b t, its product with itself by 2 b U_s.n
     const nodalScalars b = -dot(resolvedForce(), curve().tangent())/mu_;
-    const nodalVectors along = curve().ds(body_.now().velocity);
+    const nodalVectors along = curve().ds(membrane_.now().velocity);
     const nodalScalars jump = 2*times(b, dot(along, curve().normal()));
     const nodalScalars fitted =
         times(x.col(0), x.col(0)) + times(y.col(1), y.col(1))
@@ -161,20 +161,20 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::relaxedForce
         resolving_*curve().ds(dot(f, curve().normal()));
 
     return
-        distance().width()*(1 - relaxation())
+        levelSet().width()*(1 - relaxation())
        *stacked(scaled(along, curve().tangent()));
 }
 
 
 Foam::capsule::vector2 Foam::capsule::sharpMembrane::momentumRate() const
 {
-    const timeScheme scheme(mesh_, "ddt(U)", body_.nOld());
+    const timeScheme scheme(mesh_, "ddt(U)", membrane_.nOld());
 
     // Integral of the velocity over the area, by the divergence theorem; about
     // the centroid, so that it is the same wherever the membrane is
     const auto flow = [&](const membrane::state& s)
     {
-        const closedCurve curve(body_.basis(), s.x);
+        const closedCurve curve(membrane_.basis(), s.x);
         const nodalScalars un = dot(s.velocity, curve.normal());
         const nodalVectors x = s.x.rowwise() - curve.centroid();
         return vector2
@@ -187,11 +187,11 @@ Foam::capsule::vector2 Foam::capsule::sharpMembrane::momentumRate() const
     vector2 rate = vector2::Zero();
     if (scheme.c != 0)
     {
-        rate = scheme.c*flow(body_.now()) - scheme.c0*flow(body_.old(0));
+        rate = scheme.c*flow(membrane_.now()) - scheme.c0*flow(membrane_.old(0));
     }
     if (scheme.c00 != 0)
     {
-        rate += scheme.c00*flow(body_.old(1));
+        rate += scheme.c00*flow(membrane_.old(1));
     }
     return rho_*rate;
 }
@@ -199,27 +199,27 @@ Foam::capsule::vector2 Foam::capsule::sharpMembrane::momentumRate() const
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::otherBalance() const
+Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::inertiaResidual() const
 {
     if (!inertial())
     {
         return nodalScalars(0);
     }
-    return distance().width()*stacked(inertia() - body_.now().inertia);
+    return levelSet().width()*stacked(inertia() - membrane_.now().inertia);
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::otherStep
+Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::inertiaCorrection
 (
     const nodalScalars& df,
-    const nodalScalars& balance
+    const nodalScalars& residual
 ) const
 {
-    return balance/(1 + feedback()) - relaxedForce(df);
+    return residual/(1 + feedback()) - relaxedForce(df);
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::otherChange
+Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::inertiaResidualChange
 (
     const nodalScalars& dx
 ) const
@@ -235,11 +235,11 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::otherChange
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::capsule::sharpMembrane::addSwept(volVectorField& ddtU) const
+void Foam::capsule::sharpMembrane::addFreshCells(volVectorField& ddtU) const
 {
-    const timeScheme scheme(mesh_, "ddt(U)", body_.nOld());
+    const timeScheme scheme(mesh_, "ddt(U)", membrane_.nOld());
     const scalar weights[2] = {scheme.c0, -scheme.c00};
-    const membraneLevelSet& present = interface_->distance();
+    const membraneLevelSet& present = interface_->levelSet();
 
     for (label level = 0; level < 2; ++level)
     {
@@ -249,7 +249,7 @@ void Foam::capsule::sharpMembrane::addSwept(volVectorField& ddtU) const
         }
 
         // The old value as the new side of the cell saw it
-        const membraneLevelSet& old = old_[level]->distance();
+        const membraneLevelSet& old = old_[level]->levelSet();
         const volVectorField& jump = old_[level]->jumpU();
         for (const label celli : present.inside())
         {

@@ -28,7 +28,7 @@ namespace capsule
 Foam::capsule::lineOfSight::lineOfSight(const fvMesh& mesh)
 :
     MeshObject<fvMesh, GeometricMeshObject, lineOfSight>(mesh),
-    reach_(0)
+    halfLongest_(0)
 {
     const meshPlane plane(mesh);
 
@@ -69,7 +69,7 @@ Foam::capsule::lineOfSight::lineOfSight(const fvMesh& mesh)
         {
             faces.append(obstacle(plane(ends[i]), plane(ends[i + 1])));
             middles.append(0.5*(ends[i] + ends[i + 1]));
-            reach_ = max(reach_, 0.5*mag(ends[i + 1] - ends[i]));
+            halfLongest_ = max(halfLongest_, 0.5*mag(ends[i + 1] - ends[i]));
         }
     }
     faces_.transfer(faces);
@@ -97,8 +97,8 @@ void Foam::capsule::lineOfSight::append
 ) const
 {
     treeBoundBox around(box);
-    around.min() -= vector::uniform(reach_);
-    around.max() += vector::uniform(reach_);
+    around.min() -= vector::uniform(halfLongest_);
+    around.max() += vector::uniform(halfLongest_);
 
     labelList found(tree_->findBox(around));
     Foam::sort(found);

@@ -15,7 +15,7 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-const Foam::scalar Foam::capsule::membraneSystem::farthest_ = 2;
+const Foam::scalar Foam::capsule::membraneSystem::maxOffset_ = 2;
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -65,7 +65,7 @@ void Foam::capsule::membraneSystem::predict()
 
     setScale();
     setViscosity();
-    setSwept();
+    setFreshCells();
 
     unknowns_.resize(size);
     label start = 0;
@@ -111,7 +111,7 @@ bool Foam::capsule::membraneSystem::loop()
     {
         m.addSources(sources, flux_.get(), fields_->scale);
     }
-    sources.momentum += fields_->swept;
+    sources.momentum += fields_->freshCells;
     return true;
 }
 
@@ -132,7 +132,7 @@ void Foam::capsule::membraneSystem::correct(const bool solved)
 
     for (immersedMembrane& m : parts_)
     {
-        const immersedMembrane::correction found =
+        const immersedMembrane::imbalance found =
             m.correct(U_, scaledPressure(), driving);
         stress = max(stress, found.stress);
         displacement = max(displacement, found.displacement);
@@ -152,7 +152,7 @@ void Foam::capsule::membraneSystem::correct(const bool solved)
         solved
      && stress < stressTolerance_ && displacement < displacementTolerance_;
 
-    if (converged_ && offset > farthest_)
+    if (converged_ && offset > maxOffset_)
     {
         converged_ = false;
         failure_ =
@@ -163,7 +163,7 @@ void Foam::capsule::membraneSystem::correct(const bool solved)
 
     if (!converged_ && iter_ < maxIter_)
     {
-        unknowns_ = method_->next(unknowns_, *balance_);
+        unknowns_ = method_->next(unknowns_, *residual_);
         label start = 0;
         for (immersedMembrane& m : parts_)
         {

@@ -31,7 +31,7 @@ bool Foam::capsule::membraneSystem::setInside
         if (inside != 1)
         {
             changed = true;
-            for (const label celli : m.distance().inside())
+            for (const label celli : m.levelSet().inside())
             {
                 field[celli] = inside;
             }
@@ -66,12 +66,12 @@ void Foam::capsule::membraneSystem::addDriven
         {
             continue;
         }
-        const membraneLevelSet& distance = m.distance();
-        for (const label celli : distance.inside())
+        const membraneLevelSet& levelSet = m.levelSet();
+        for (const label celli : levelSet.inside())
         {
             pressure[celli] +=
                 (1 - a)
-               *G.dot(distance.image(mesh_.C()[celli]) - distance.centre());
+               *G.dot(levelSet.image(mesh_.C()[celli]) - levelSet.centre());
         }
     }
 }
@@ -123,20 +123,20 @@ Foam::capsule::membraneSystem::viscousTerm() const
 }
 
 
-void Foam::capsule::membraneSystem::setSwept()
+void Foam::capsule::membraneSystem::setFreshCells()
 {
     if (timeScheme(mesh_, "ddt(U)", 0).c == 0)
     {
         return;
     }
 
-    volVectorField& swept = fields_->swept;
-    swept = dimensionedVector(swept.dimensions(), Zero);
+    volVectorField& freshCells = fields_->freshCells;
+    freshCells = dimensionedVector(freshCells.dimensions(), Zero);
     for (const immersedMembrane& m : parts_)
     {
-        m.addSwept(swept);
+        m.addFreshCells(freshCells);
     }
-    swept.primitiveFieldRef() *= rho_*fields_->scale.primitiveField();
+    freshCells.primitiveFieldRef() *= rho_*fields_->scale.primitiveField();
 }
 
 

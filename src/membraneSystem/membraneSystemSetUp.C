@@ -176,9 +176,9 @@ Foam::capsule::membraneSystem::fields::fields(const fvMesh& mesh)
         dimensionedScalar("one", dimless, 1)
     ),
     sources(mesh),
-    swept
+    freshCells
     (
-        IOobject("sweptMomentum", mesh.time().timeName(), mesh),
+        IOobject("freshCellMomentum", mesh.time().timeName(), mesh),
         mesh,
         dimensionedVector(dimPressure/dimLength, Zero)
     )
@@ -270,12 +270,12 @@ Foam::capsule::membraneSystem::membraneSystem
     {
         fields_.reset(new fields(mesh_));
 
-        UPtrList<stressBalance> balances(size());
+        UPtrList<interfaceResidual> residuals(size());
         forAll(parts_, i)
         {
-            balances.set(i, &parts_[i]);
+            residuals.set(i, &parts_[i]);
         }
-        balance_.reset(new balanceOfAll(balances));
+        residual_.reset(new combinedResidual(residuals));
     }
     bool scaled = false;
     for (immersedMembrane& m : parts_)

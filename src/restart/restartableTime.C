@@ -51,7 +51,7 @@ void Foam::capsule::restartableTime::writeTimeDict(const fileNameList* files) co
     {
         dict.add("files", *files);
     }
-    writeWhole(dict, IOstream::ASCII);
+    writeAtomically(dict, IOstream::ASCII);
 }
 
 
@@ -86,7 +86,7 @@ void Foam::capsule::restartableTime::resume()
     }
     for (const fileName& file : input::get<fileNameList>(dict, "files"))
     {
-        const string wrong(defect(timePath()/file));
+        const string wrong(fileDefect(timePath()/file));
         if (!wrong.empty())
         {
             FatalErrorInFunction
@@ -222,7 +222,7 @@ bool Foam::capsule::restartableTime::write(const bool valid) const
 }
 
 
-void Foam::capsule::restartableTime::seal
+void Foam::capsule::restartableTime::writeManifest
 (
     const fvMesh& mesh,
     const fileNameList& otherFiles
@@ -252,7 +252,7 @@ void Foam::capsule::restartableTime::seal
 
     for (const fileName& file : files)
     {
-        const string wrong(defect(timePath()/file));
+        const string wrong(fileDefect(timePath()/file));
         if (!wrong.empty())
         {
             FatalErrorInFunction

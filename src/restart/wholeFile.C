@@ -46,7 +46,7 @@ static bool written
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-void Foam::capsule::writeWhole
+void Foam::capsule::writeAtomically
 (
     const regIOobject& object,
     const IOstream::streamFormat format
@@ -78,7 +78,7 @@ void Foam::capsule::writeWhole
 }
 
 
-Foam::string Foam::capsule::defect(const fileName& path)
+Foam::string Foam::capsule::fileDefect(const fileName& path)
 {
     if (fileHandler().type() != "uncollated" || isFile(path + ".gz", false))
     {

@@ -19,7 +19,7 @@ Description
         momentum equation on either side of them;
     (B) iterates pressure, velocity, membranes and membrane stress until they
         agree to the tolerances; a step in which they do not is taken again in
-        parts, or ends the run, see repeatableStep.
+        parts, or ends the run, see timeStepControl.
 
     Momentum is divided by mu/mu_out on each side, so that the matrices are
     those of one fluid; p is the scaled pressure while the equations are
@@ -35,7 +35,7 @@ Description
 #include "membraneSystem.H"
 #include "drivingForce.H"
 #include "readField.H"
-#include "repeatableStep.H"
+#include "timeStepControl.H"
 #include "restartableTime.H"
 #include "solverFunctions.H"
 #include "functionObject.H"
@@ -95,7 +95,7 @@ int main(int argc, char *argv[])
     #include "CourantNo.H"
     #include "setInitialDeltaT.H"
 
-    capsule::repeatableStep step
+    capsule::timeStepControl step
     (
         runTime, membranes, *flow, *driving, U, p, phi
     );
@@ -140,7 +140,7 @@ int main(int argc, char *argv[])
             if (runTime.writeTime())
             {
                 membranes.write();
-                runTime.seal(mesh, flow->write());
+                runTime.writeManifest(mesh, flow->write());
             }
         }
         runTime.printExecutionTime(Info);

@@ -278,7 +278,7 @@ bool Foam::capsule::membrane::readState
 
 void Foam::capsule::membrane::write(const Time& runTime) const
 {
-    writeWhole(stateWriter(*this, plane_, runTime), runTime.writeFormat());
+    writeAtomically(stateWriter(*this, plane_, runTime), runTime.writeFormat());
 }
 
 

@@ -250,8 +250,8 @@ int main()
     // A normal force cos(m theta) on a circle of radius R in one viscosity
     // moves it by R m/(4 mu (m^2 - 1)) cos(m theta) n (plus a part along t)
     const closedCurve circle(basis, ellipse(basis, 2, 2));
-    const nodalMatrix S = freeSpaceResponse::velocity(circle, 0.5);
-    const nodalMatrix K = freeSpaceResponse::traction(circle);
+    const nodalMatrix S = freeSpaceResponse::singleLayer(circle, 0.5);
+    const nodalMatrix K = freeSpaceResponse::adjointDoubleLayer(circle);
     for (const label m : {2, 3, 7})
     {
         nodalScalars c(basis.size());

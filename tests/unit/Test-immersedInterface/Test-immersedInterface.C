@@ -32,7 +32,7 @@ Usage
 #include "oneSidedFit.H"
 #include "freeSpaceResponse.H"
 #include "quasiNewton.H"
-#include "linearBalance.H"
+#include "linearResidual.H"
 
 using namespace Foam;
 using namespace Foam::capsule;
@@ -289,11 +289,11 @@ int main(int argc, char *argv[])
     // Balance of real stress by the equivalent force, see membraneSystem
     const oneSidedFit fit(interface, -1);
     const label n = 2*basis.size();
-    const nodalMatrix shortWaves = freeSpaceResponse::traction(curve);
+    const nodalMatrix shortWaves = freeSpaceResponse::adjointDoubleLayer(curve);
     const nodalMatrix derivative =
         0.5*(1 + lambda)*nodalMatrix::Identity(n, n)
       - (1 - lambda)*shortWaves;
-    linearBalance balance(derivative);
+    linearResidual problem(derivative);
     couplingMethods::quasiNewton method{dictionary()};
     method.start();
 
@@ -332,7 +332,7 @@ int main(int argc, char *argv[])
           - interface.addGradient(sources.gradient);
         net = mag(sum)/plane.thickness();
         interface.addFlux(sources.flux, sources.pressureFlux);
-        interface.addDivergence(sources.divergence);
+        interface.addInterpolationDivergence(sources.divergence);
         interface.addForce(-sum, sources.momentum);
         flow->solve(UEqn, &sources);
 
@@ -346,10 +346,10 @@ int main(int argc, char *argv[])
               + Eigen::Map<const nodalVectors>(remote.data(), n/2, 2)
               + 0.5*unresolved
             );
-        balance.set(stacked(left));
-        const nodalScalars x = method.next(stacked(equivalent), balance);
+        problem.set(stacked(left));
+        const nodalScalars x = method.next(stacked(equivalent), problem);
         equivalent = unstacked(x);
-        imbalance = balance.step(balance.answer()).norm()/x.norm();
+        imbalance = problem.correction(problem.fluidResponse()).norm()/x.norm();
         ++iterations;
     }
 
@@ -384,7 +384,7 @@ int main(int argc, char *argv[])
         dp[celli] -= (in ? level/lambda : level);
     }
 
-    const volScalarField distance(interface.distance().whole());
+    const volScalarField distance(interface.levelSet().whole());
     scalar nearD = 0;
     scalar maxD = 0;
     forAll(distance, celli)

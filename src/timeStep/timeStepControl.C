@@ -8,12 +8,12 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "repeatableStep.H"
+#include "timeStepControl.H"
 #include "input.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::capsule::repeatableStep::grow()
+void Foam::capsule::timeStepControl::grow()
 {
     if (cuts_ == 0)
     {
@@ -31,7 +31,7 @@ void Foam::capsule::repeatableStep::grow()
 }
 
 
-void Foam::capsule::repeatableStep::goBack()
+void Foam::capsule::timeStepControl::goBack()
 {
     // A step that is refused before its flow has touched the time alone
     if (membranes_.placed())
@@ -51,14 +51,14 @@ void Foam::capsule::repeatableStep::goBack()
 }
 
 
-void Foam::capsule::repeatableStep::end(const string& failure)
+void Foam::capsule::timeStepControl::end(const string& failure)
 {
     const bool first = (time_.timeIndex() == time_.startTimeIndex());
     if (!first)
     {
         time_.writeAndEnd();
         membranes_.write();
-        time_.seal(mesh_, flow_.write());
+        time_.writeManifest(mesh_, flow_.write());
     }
 
     FatalErrorInFunction
@@ -77,7 +77,7 @@ void Foam::capsule::repeatableStep::end(const string& failure)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::capsule::repeatableStep::repeatableStep
+Foam::capsule::timeStepControl::timeStepControl
 (
     restartableTime& runTime,
     membraneSystem& membranes,
@@ -99,7 +99,7 @@ Foam::capsule::repeatableStep::repeatableStep
     force_(Zero),
     start_(runTime),
     maxCuts_(0),
-    least_(0),
+    minDeltaT_(0),
     cuts_(0),
     taken_(0)
 {
@@ -122,7 +122,7 @@ Foam::capsule::repeatableStep::repeatableStep
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::capsule::repeatableStep::start()
+void Foam::capsule::timeStepControl::start()
 {
     start_ = timeAtStart(time_);
     U_.store();
@@ -132,13 +132,13 @@ void Foam::capsule::repeatableStep::start()
 
     // Cut again and again, an adjustable step may become ever smaller
     const scalar decay = time_.isAdjustTimeStep() ? 0.9 : 1;
-    least_ = max(time_.deltaTValue()/pow(2, maxCuts_), decay*least_);
+    minDeltaT_ = max(time_.deltaTValue()/pow(2, maxCuts_), decay*minDeltaT_);
 
     ++time_;
 }
 
 
-bool Foam::capsule::repeatableStep::repeat()
+bool Foam::capsule::timeStepControl::repeat()
 {
     const bool balanced = flow_.unbalanced().empty();
     const bool solved = flow_.failure().empty();
@@ -161,7 +161,7 @@ bool Foam::capsule::repeatableStep::repeat()
     if
     (
         !balanced
-     || deltaT < 1.5*least_
+     || deltaT < 1.5*minDeltaT_
      || time_.stopAt() == Time::saNoWriteNow
     )
     {

@@ -12,12 +12,12 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::capsule::closedCurve Foam::capsule::immersedMembrane::moved
+Foam::capsule::closedCurve Foam::capsule::immersedMembrane::movedSurface
 (
     const nodalVectors& U
 ) const
 {
-    return closedCurve(body_.basis(), motion_->points(motion_->velocity(U)));
+    return closedCurve(membrane_.basis(), motion_->points(motion_->velocity(U)));
 }
 
 
@@ -25,40 +25,40 @@ Foam::scalar Foam::capsule::immersedMembrane::cells(const nodalScalars& U) const
 {
     const nodalVectors d = unstacked(motion_->displacements(U));
 
-    return d.rowwise().norm().maxCoeff()/distance().width();
+    return d.rowwise().norm().maxCoeff()/levelSet().width();
 }
 
 
 void Foam::capsule::immersedMembrane::linearise
 (
     const closedCurve& at,
-    const bool whole
+    const bool fullTangent
 )
 {
     // Forces are per length of the step's interface
     const nodalScalars length =
         at.metric().cwiseQuotient(curve().metric()).replicate(2, 1);
 
-    forceJacobian_ = length.asDiagonal()*body_.forceJacobian(at, whole);
+    forceJacobian_ = length.asDiagonal()*membrane_.forceJacobian(at, fullTangent);
     motion_->restoreArea(at, forceJacobian_);
-    derivative_.compute(fluid_ - forceJacobian_*displacement_);
+    derivative_.compute(fluidJacobian_ - forceJacobian_*displacementResponse_);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::balance
+Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::residual
 (
     const nodalScalars& y
 ) const
 {
-    const label n = 2*body_.size();
+    const label n = 2*membrane_.size();
 
     nodalScalars result = y.tail(y.size() - n);
     result.head(n) += stacked
     (
         implicit_
-      ? body_.force(moved(unstacked(y.head(n))), curve().metric())
+      ? membrane_.force(movedSurface(unstacked(y.head(n))), curve().metric())
       : explicitForce_
     );
     return result;
@@ -68,31 +68,31 @@ Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::balance
 void Foam::capsule::immersedMembrane::linearise
 (
     const nodalScalars& y,
-    const bool whole
+    const bool fullTangent
 )
 {
     if (implicit_)
     {
-        linearise(moved(unstacked(y.head(2*body_.size()))), whole);
+        linearise(movedSurface(unstacked(y.head(2*membrane_.size()))), fullTangent);
     }
 }
 
 
-Foam::scalar Foam::capsule::immersedMembrane::largestPart
+Foam::scalar Foam::capsule::immersedMembrane::maxStepLength
 (
     const nodalScalars& dy
 ) const
 {
-    return reach_/max(reach_, cells(dy.head(2*body_.size())));
+    return maxMove_/max(maxMove_, cells(dy.head(2*membrane_.size())));
 }
 
 
-Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::balanceChange
+Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::residualChange
 (
     const nodalMatrix& dy
 ) const
 {
-    const label n = 2*body_.size();
+    const label n = 2*membrane_.size();
 
     nodalMatrix result = dy.bottomRows(dy.rows() - n);
     if (implicit_)
@@ -103,34 +103,34 @@ Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::balanceChange
 }
 
 
-Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::step
+Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::correction
 (
-    const nodalMatrix& balance
+    const nodalMatrix& residual
 ) const
 {
-    const label n = 2*body_.size();
-    const label others = balance.rows() - n;
+    const label n = 2*membrane_.size();
+    const label others = residual.rows() - n;
 
-    nodalMatrix result(balance.rows(), balance.cols());
-    result.topRows(n) = derivative_.solve(balance.topRows(n));
-    for (label j = 0; others && j < balance.cols(); ++j)
+    nodalMatrix result(residual.rows(), residual.cols());
+    result.topRows(n) = derivative_.solve(residual.topRows(n));
+    for (label j = 0; others && j < residual.cols(); ++j)
     {
         result.col(j).tail(others) =
-            otherStep(result.col(j).head(n), balance.col(j).tail(others));
+            inertiaCorrection(result.col(j).head(n), residual.col(j).tail(others));
     }
     return result;
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::answerChange
+Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::responseChange
 (
     const nodalScalars& dx
 ) const
 {
-    const nodalScalars df = dx.head(2*body_.size());
-    const nodalScalars other = otherChange(dx);
+    const nodalScalars df = dx.head(2*membrane_.size());
+    const nodalScalars other = inertiaResidualChange(dx);
 
     nodalScalars result(2*df.size() + other.size());
-    result << velocity_*df, -(fluid_*df), other;
+    result << mobility_*df, -(fluidJacobian_*df), other;
     return result;
 }

@@ -8,24 +8,24 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "balanceOfAll.H"
+#include "combinedResidual.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
     using Foam::label;
-    using Foam::capsule::stressBalance;
+    using Foam::capsule::interfaceResidual;
 
-    //- Rows that a part has of unknowns and balances, and of answers
-    label unknowns(const stressBalance& part)
+    //- Rows that a part has of unknowns and residuals, and of responses
+    label unknowns(const interfaceResidual& part)
     {
         return part.nUnknowns();
     }
 
-    label answers(const stressBalance& part)
+    label responses(const interfaceResidual& part)
     {
-        return part.answer().size();
+        return part.fluidResponse().size();
     }
 }
 
@@ -33,16 +33,16 @@ namespace
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Function>
-Foam::capsule::nodalMatrix Foam::capsule::balanceOfAll::mapped
+Foam::capsule::nodalMatrix Foam::capsule::combinedResidual::mapped
 (
     const nodalMatrix& rows,
-    label (*size)(const stressBalance&),
+    label (*size)(const interfaceResidual&),
     const Function& map
 ) const
 {
     nodalMatrix result(0, rows.cols());
     label start = 0;
-    for (const stressBalance& part : parts_)
+    for (const interfaceResidual& part : parts_)
     {
         const label n = size(part);
         const nodalMatrix found = map(part, rows.middleRows(start, n));
@@ -57,9 +57,9 @@ Foam::capsule::nodalMatrix Foam::capsule::balanceOfAll::mapped
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::capsule::balanceOfAll::balanceOfAll
+Foam::capsule::combinedResidual::combinedResidual
 (
-    const UPtrList<stressBalance>& parts
+    const UPtrList<interfaceResidual>& parts
 )
 :
     parts_(parts)
@@ -68,10 +68,10 @@ Foam::capsule::balanceOfAll::balanceOfAll
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::capsule::balanceOfAll::nUnknowns() const
+Foam::label Foam::capsule::combinedResidual::nUnknowns() const
 {
     label n = 0;
-    for (const stressBalance& part : parts_)
+    for (const interfaceResidual& part : parts_)
     {
         n += part.nUnknowns();
     }
@@ -79,12 +79,12 @@ Foam::label Foam::capsule::balanceOfAll::nUnknowns() const
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::balanceOfAll::answer() const
+Foam::capsule::nodalScalars Foam::capsule::combinedResidual::fluidResponse() const
 {
     nodalScalars y;
-    for (const stressBalance& part : parts_)
+    for (const interfaceResidual& part : parts_)
     {
-        const nodalScalars found = part.answer();
+        const nodalScalars found = part.fluidResponse();
         y.conservativeResize(y.size() + found.size());
         y.tail(found.size()) = found;
     }
@@ -92,7 +92,7 @@ Foam::capsule::nodalScalars Foam::capsule::balanceOfAll::answer() const
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::balanceOfAll::balance
+Foam::capsule::nodalScalars Foam::capsule::combinedResidual::residual
 (
     const nodalScalars& y
 ) const
@@ -100,49 +100,49 @@ Foam::capsule::nodalScalars Foam::capsule::balanceOfAll::balance
     return mapped
     (
         y,
-        answers,
-        [](const stressBalance& part, const nodalMatrix& yi)
+        responses,
+        [](const interfaceResidual& part, const nodalMatrix& yi)
         {
-            return part.balance(yi);
+            return part.residual(yi);
         }
     );
 }
 
 
-void Foam::capsule::balanceOfAll::linearise
+void Foam::capsule::combinedResidual::linearise
 (
     const nodalScalars& y,
-    const bool whole
+    const bool fullTangent
 )
 {
     label start = 0;
-    for (stressBalance& part : parts_)
+    for (interfaceResidual& part : parts_)
     {
-        const label n = answers(part);
-        part.linearise(y.segment(start, n), whole);
+        const label n = responses(part);
+        part.linearise(y.segment(start, n), fullTangent);
         start += n;
     }
 }
 
 
-Foam::scalar Foam::capsule::balanceOfAll::largestPart
+Foam::scalar Foam::capsule::combinedResidual::maxStepLength
 (
     const nodalScalars& dy
 ) const
 {
     scalar result = 1;
     label start = 0;
-    for (const stressBalance& part : parts_)
+    for (const interfaceResidual& part : parts_)
     {
-        const label n = answers(part);
-        result = min(result, part.largestPart(dy.segment(start, n)));
+        const label n = responses(part);
+        result = min(result, part.maxStepLength(dy.segment(start, n)));
         start += n;
     }
     return result;
 }
 
 
-Foam::capsule::nodalMatrix Foam::capsule::balanceOfAll::balanceChange
+Foam::capsule::nodalMatrix Foam::capsule::combinedResidual::residualChange
 (
     const nodalMatrix& dy
 ) const
@@ -150,33 +150,33 @@ Foam::capsule::nodalMatrix Foam::capsule::balanceOfAll::balanceChange
     return mapped
     (
         dy,
-        answers,
-        [](const stressBalance& part, const nodalMatrix& dyi)
+        responses,
+        [](const interfaceResidual& part, const nodalMatrix& dyi)
         {
-            return part.balanceChange(dyi);
+            return part.residualChange(dyi);
         }
     );
 }
 
 
-Foam::capsule::nodalMatrix Foam::capsule::balanceOfAll::step
+Foam::capsule::nodalMatrix Foam::capsule::combinedResidual::correction
 (
-    const nodalMatrix& balance
+    const nodalMatrix& residual
 ) const
 {
     return mapped
     (
-        balance,
+        residual,
         unknowns,
-        [](const stressBalance& part, const nodalMatrix& balancei)
+        [](const interfaceResidual& part, const nodalMatrix& residuali)
         {
-            return part.step(balancei);
+            return part.correction(residuali);
         }
     );
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::balanceOfAll::answerChange
+Foam::capsule::nodalScalars Foam::capsule::combinedResidual::responseChange
 (
     const nodalScalars& dx
 ) const
@@ -185,9 +185,9 @@ Foam::capsule::nodalScalars Foam::capsule::balanceOfAll::answerChange
     (
         dx,
         unknowns,
-        [](const stressBalance& part, const nodalMatrix& dxi)
+        [](const interfaceResidual& part, const nodalMatrix& dxi)
         {
-            return part.answerChange(dxi);
+            return part.responseChange(dxi);
         }
     );
 }

@@ -8,12 +8,12 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "conjugateResiduals.H"
+#include "GCR.H"
 #include "boundaryTypes.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::capsule::conjugateResiduals::globalDot
+Foam::scalar Foam::capsule::GCR::globalDot
 (
     const nodalScalars& a,
     const nodalScalars& b
@@ -23,13 +23,13 @@ Foam::scalar Foam::capsule::conjugateResiduals::globalDot
 }
 
 
-Foam::scalar Foam::capsule::conjugateResiduals::globalNorm(const nodalScalars& a)
+Foam::scalar Foam::capsule::GCR::globalNorm(const nodalScalars& a)
 {
     return Foam::sqrt(globalDot(a, a));
 }
 
 
-void Foam::capsule::conjugateResiduals::addDirection
+void Foam::capsule::GCR::addDirection
 (
     const fvVectorMatrix& UEqn,
     const sources* extra,
@@ -43,7 +43,7 @@ void Foam::capsule::conjugateResiduals::addDirection
     vectorField dU(mesh_.nCells(), Zero);
     scalarField dp(mesh_.nCells(), Zero);
     unscale(r*(size/globalNorm(r)), momentum, continuity);
-    apply(momentum, continuity, dU, dp);
+    precondition(momentum, continuity, dU, dp);
 
     // The matrix times the unknowns, from the affine residual: their size is
     // that of the flow, so that little is lost in the difference
@@ -70,7 +70,7 @@ void Foam::capsule::conjugateResiduals::addDirection
 }
 
 
-Foam::string Foam::capsule::conjugateResiduals::converge
+Foam::string Foam::capsule::GCR::converge
 (
     const fvVectorMatrix& UEqn,
     const sources* extra,
@@ -96,7 +96,7 @@ Foam::string Foam::capsule::conjugateResiduals::converge
     const scalar initial = norm;
     const scalar from = termSize();
 
-    const auto advance = [&](const searchDirection& d)
+    const auto addAlong = [&](const searchDirection& d)
     {
         const scalar step = globalDot(r, d.residual);
         x += step*d.unknowns;
@@ -104,7 +104,7 @@ Foam::string Foam::capsule::conjugateResiduals::converge
     };
     for (const searchDirection& d : directions_)
     {
-        advance(d);
+        addAlong(d);
     }
 
     label iter = 0;
@@ -115,7 +115,7 @@ Foam::string Foam::capsule::conjugateResiduals::converge
         {
             ++iter;
             addDirection(UEqn, extra, r, atRest, reference);
-            advance(directions_.back());
+            addAlong(directions_.back());
         }
 
         // Round-off apart, the residual is that of the directions
@@ -128,7 +128,7 @@ Foam::string Foam::capsule::conjugateResiduals::converge
         norm > tolerance_*reference && norm < 0.5*last && iter < maxIter_
     );
 
-    applied(iter);
+    preconditioned(iter);
 
     // Below the tolerance, or as far as round-off of the terms lets it
     const bool solved =
@@ -153,7 +153,7 @@ Foam::string Foam::capsule::conjugateResiduals::converge
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
-void Foam::capsule::conjugateResiduals::readOwn(const dictionary& dict)
+void Foam::capsule::GCR::readOwn(const dictionary& dict)
 {
     const scalar tolerance =
         input::getBetweenOrDefault<scalar>(dict, "tolerance", 1e-8, 1e-15, 0.1);
@@ -168,7 +168,7 @@ void Foam::capsule::conjugateResiduals::readOwn(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::capsule::conjugateResiduals::conjugateResiduals
+Foam::capsule::GCR::GCR
 (
     const dictionary& dict,
     volVectorField& U,
@@ -179,9 +179,9 @@ Foam::capsule::conjugateResiduals::conjugateResiduals
 )
 :
     flowSolver(dict, U, p, phi, rho, own),
-    answersKnown_(false)
+    forceResponsesKnown_(false)
 {
-    conjugateResiduals::readOwn(dict);
+    GCR::readOwn(dict);
     boundaryTypes::checkAffine(U, p);
 }
 
@@ -189,7 +189,7 @@ Foam::capsule::conjugateResiduals::conjugateResiduals
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::tmp<Foam::surfaceScalarField>
-Foam::capsule::conjugateResiduals::convectingFlux() const
+Foam::capsule::GCR::convectingFlux() const
 {
     const surfaceScalarField& old = phi_.oldTime();
 
@@ -205,26 +205,26 @@ Foam::capsule::conjugateResiduals::convectingFlux() const
 }
 
 
-void Foam::capsule::conjugateResiduals::begin(const fvVectorMatrix& UEqn)
+void Foam::capsule::GCR::begin(const fvVectorMatrix& UEqn)
 {
     directions_.clear();
-    answersKnown_ = false;
-    unsolvedAnswer_.clear();
+    forceResponsesKnown_ = false;
+    unsolvedResponse_.clear();
     set(UEqn);
-    prepare(UEqn);
+    setPreconditioner(UEqn);
 }
 
 
-void Foam::capsule::conjugateResiduals::restore()
+void Foam::capsule::GCR::restore()
 {
     flowSolver::restore();
     directions_.clear();
-    answers_.clear();
-    answersKnown_ = false;
+    forceResponses_.clear();
+    forceResponsesKnown_ = false;
 }
 
 
-void Foam::capsule::conjugateResiduals::solve
+void Foam::capsule::GCR::solve
 (
     const fvVectorMatrix& UEqn,
     const sources* extra
@@ -242,6 +242,6 @@ void Foam::capsule::conjugateResiduals::solve
     failure_ = converge(UEqn, extra, atRest, nullptr, reference, "U, p", x);
     if (failure_.empty())
     {
-        failure_ = unsolvedAnswer_;
+        failure_ = unsolvedResponse_;
     }
 }

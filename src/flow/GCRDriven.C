@@ -8,11 +8,11 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "conjugateResiduals.H"
+#include "GCR.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::capsule::conjugateResiduals::setAnswers
+void Foam::capsule::GCR::setForceResponses
 (
     const fvVectorMatrix& UEqn,
     const sources* extra,
@@ -29,12 +29,12 @@ void Foam::capsule::conjugateResiduals::setAnswers
     };
     const vector force = force_;
     const nodalScalars idle = atRest(Zero);
-    answers_.setSize(along.size());
+    forceResponses_.setSize(along.size());
     forAll(along, i)
     {
-        if (answers_[i].size() != x.size())
+        if (forceResponses_[i].size() != x.size())
         {
-            answers_[i] = zero;
+            forceResponses_[i] = zero;
         }
         // A force as large as what else acts, so that nothing is lost in the
         // differences
@@ -42,25 +42,25 @@ void Foam::capsule::conjugateResiduals::setAnswers
         const scalar acting = globalNorm(idle);
         const scalar size = (acting > VSMALL*unit ? acting/unit : 1);
 
-        nodalScalars answer = size*answers_[i];
+        nodalScalars response = size*forceResponses_[i];
         const string unsolved = converge
         (
             UEqn, extra, atRest(size*along[i]), &idle, size*unit,
-            "answer to force", answer
+            "response to force", response
         );
         if (!unsolved.empty())
         {
-            unsolvedAnswer_ = unsolved;
+            unsolvedResponse_ = unsolved;
         }
-        answers_[i] = answer/size;
+        forceResponses_[i] = response/size;
     }
     force_ = force;
     unpack(x);
-    answersKnown_ = true;
+    forceResponsesKnown_ = true;
 }
 
 
-Foam::vector Foam::capsule::conjugateResiduals::mean(const nodalScalars& x) const
+Foam::vector Foam::capsule::GCR::mean(const nodalScalars& x) const
 {
     const scalarField& V = mesh_.V();
     vector sum(Zero);
@@ -72,7 +72,7 @@ Foam::vector Foam::capsule::conjugateResiduals::mean(const nodalScalars& x) cons
 }
 
 
-void Foam::capsule::conjugateResiduals::setMean
+void Foam::capsule::GCR::setMean
 (
     const vectorField& along,
     const vector& velocity
@@ -88,7 +88,7 @@ void Foam::capsule::conjugateResiduals::setMean
         missed(i) = missing & along[i];
         forAll(along, j)
         {
-            gained(i, j) = mean(answers_[j]) & along[i];
+            gained(i, j) = mean(forceResponses_[j]) & along[i];
         }
     }
     const nodalScalars change = gained.partialPivLu().solve(missed);
@@ -96,7 +96,7 @@ void Foam::capsule::conjugateResiduals::setMean
     forAll(along, i)
     {
         force_ += change(i)*along[i];
-        x += change(i)*answers_[i];
+        x += change(i)*forceResponses_[i];
     }
     unpack(x);
 }
@@ -104,7 +104,7 @@ void Foam::capsule::conjugateResiduals::setMean
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::capsule::conjugateResiduals::solve
+void Foam::capsule::GCR::solve
 (
     const fvVectorMatrix& UEqn,
     const sources* extra,
@@ -119,9 +119,9 @@ void Foam::capsule::conjugateResiduals::solve
         return;
     }
 
-    if (!answersKnown_)
+    if (!forceResponsesKnown_)
     {
-        setAnswers(UEqn, extra, along);
+        setForceResponses(UEqn, extra, along);
     }
     setMean(along, driving.velocity());
     solve(UEqn, extra);
