@@ -32,7 +32,7 @@ Foam::vector Foam::capsule::drivingForce::readAlongPeriods
     const dictionary& dict,
     const word& entry,
     const dimensionSet& dimensions,
-    const meshPlane& plane
+    const solvedDirections& plane
 )
 {
     input::permit(dict, {"type", entry});
@@ -52,7 +52,7 @@ Foam::vector Foam::capsule::drivingForce::readAlongPeriods
 
     vector beside(value);
     List<vector> periods;
-    for (const vector2& p : plane.periods())
+    for (const vector2& p : plane.images().periods())
     {
         periods.append(plane.toVector(p));
         beside -= (value & periods.last())/magSqr(periods.last())*periods.last();

@@ -38,7 +38,7 @@ Foam::capsule::drivingForces::meanPressureGradient::meanPressureGradient
     (
         readAlongPeriods
         (
-            dict, "pressureGradient", dimPressure/dimLength, meshPlane(mesh)
+            dict, "pressureGradient", dimPressure/dimLength, solvedDirections(mesh)
         )
     )
 {}

@@ -54,7 +54,7 @@ void Foam::capsule::flowEquations::setReference(const dictionary& dict)
 
 void Foam::capsule::flowEquations::checkHeld() const
 {
-    bool held = plane_.periods().size() < 2;
+    bool held = plane_.images().periods().size() < 2;
     for (const fvPatchVectorField& pf : U_.boundaryField())
     {
         held = held || pf.fixesValue();
@@ -79,7 +79,7 @@ void Foam::capsule::flowEquations::set(const fvVectorMatrix& UEqn)
 
     // Both residuals as velocities: h^2/mu times force, h times divergence
     momentumScale_ = rAU.primitiveField();
-    continuityScale_ = Foam::sqrt(mesh_.V().field()/plane_.thickness());
+    continuityScale_ = plane_.widths(mesh_);
 
     // Pressure over divergence: the reference equation in the same units
     pressureScale_ = gMax(sqr(continuityScale_)/momentumScale_);

@@ -210,7 +210,7 @@ bool Foam::functionObjects::energyBalance::write()
     scalar gross = 0;
     for (label i = 0; i < system.size(); ++i)
     {
-        const capsule::closedCurve curve(system[i].curve());
+        const capsule::closedSurface curve(system[i].curve());
         const capsule::nodalScalars power = system[i].power(curve);
         membranes += curve.integral(power);
         gross += curve.integral(power.cwiseAbs());

@@ -111,7 +111,7 @@ void Foam::functionObjects::extraPressureDrop::readPatches
                 << " constant/drivingForce drives; without them the drop is"
                 << " that over the period of the mesh" << exit(FatalIOError);
         }
-        if (membranes().plane().periods().size() != 1)
+        if (membranes().plane().images().periods().size() != 1)
         {
             FatalIOErrorInFunction(dict)
                 << "Entry type: " << type() << " of a driven flow needs a mesh"
@@ -121,7 +121,7 @@ void Foam::functionObjects::extraPressureDrop::readPatches
         return;
     }
 
-    if (!named && membranes().plane().periods().size())
+    if (!named && membranes().plane().images().periods().size())
     {
         FatalIOErrorInFunction(dict)
             << "Entries inlet and outlet are missing; only a flow that"
@@ -149,8 +149,8 @@ Foam::functionObjects::extraPressureDrop::membranes() const
 
 Foam::vector Foam::functionObjects::extraPressureDrop::period() const
 {
-    const capsule::meshPlane& plane = membranes().plane();
-    return plane.toVector(plane.periods()[0]);
+    const capsule::solvedDirections& plane = membranes().plane();
+    return plane.toVector(plane.images().periods()[0]);
 }
 
 
@@ -320,7 +320,7 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
     for (label i = 0; i < system.size(); ++i)
     {
         const capsule::membrane& m = system[i];
-        const capsule::closedCurve curve(m.basis(), m.now().interface);
+        const capsule::closedSurface curve(m.basis(), m.now().interface);
         const nodalVectors& n = curve.normal();
         const nodalVectors F = m.force(m.curve(), curve.metric());
 

@@ -45,7 +45,7 @@ void Foam::functionObjects::membraneMeasures::writeMeasures
     using capsule::nodalScalars;
     using capsule::vector2;
 
-    const capsule::closedCurve curve = m.curve();
+    const capsule::closedSurface curve = m.curve();
     const scalar area = curve.area();
     const vector2 c = curve.centroid();
     const vector2 extents = curve.extents();
@@ -75,7 +75,7 @@ void Foam::functionObjects::membraneMeasures::writeLine
 ) const
 {
     const capsule::membraneSystem& system = membranes();
-    const capsule::closedCurve curve = m.curve();
+    const capsule::closedSurface curve = m.curve();
     const label n = curve.size();
     // In a periodic mesh the image whose centroid lies in the mesh
     const capsule::vector2 centre = curve.centroid();
@@ -83,7 +83,7 @@ void Foam::functionObjects::membraneMeasures::writeLine
     (
         system.plane().toPoints
         (
-            curve.nodes().rowwise() + (system.plane().wrapped(centre) - centre)
+            curve.nodes().rowwise() + (system.plane().images().wrapped(centre) - centre)
         )
     );
     const vectorField U(system.plane().toVectors(m.now().velocity));

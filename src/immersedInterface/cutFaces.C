@@ -67,7 +67,7 @@ Foam::Pair<Foam::capsule::vector2> Foam::capsule::cutFaces::ends
 ) const
 {
     const fvMesh& mesh = levelSet_.mesh();
-    const meshPlane& plane = levelSet_.plane();
+    const solvedDirections& plane = levelSet_.plane();
     const face& f = mesh.faces()[facei];
 
     // The other end is the point of the face furthest from the first

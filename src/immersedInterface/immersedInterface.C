@@ -119,8 +119,8 @@ Foam::capsule::immersedInterface::immersedInterface
 (
     const word& name,
     const fvMesh& mesh,
-    const meshPlane& plane,
-    const closedCurve& curve,
+    const solvedDirections& plane,
+    const closedSurface& curve,
     const scalar bandWidth
 )
 :

@@ -40,7 +40,7 @@ enum term
 
 Foam::capsule::jumpConditions::footPoints::footPoints
 (
-    const closedCurve& curve,
+    const closedSurface& curve,
     const nodalScalars& alpha,
     const nodalScalars& d
 )
@@ -58,7 +58,7 @@ Foam::capsule::jumpConditions::footPoints::footPoints
 
 Foam::capsule::jumpConditions::jumpConditions
 (
-    const closedCurve& curve,
+    const closedSurface& curve,
     const nodalVectors& f,
     const nodalVectors& m,
     const nodalScalars& c,

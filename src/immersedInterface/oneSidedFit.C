@@ -198,7 +198,7 @@ Foam::capsule::oneSidedFit::oneSidedFit
 {
     const membraneLevelSet& levelSet = interface.levelSet();
     const labelUList& cells = levelSet.cells();
-    const closedCurve& curve = levelSet.curve();
+    const closedSurface& curve = levelSet.curve();
     const scalar width = levelSet.width();
 
     sizes_[Pstream::myProcNo()] = cells.size();

@@ -49,7 +49,7 @@ void Foam::capsule::diffuseMembrane::place(const nodalVectors& nodes)
             membrane_.name(),
             mesh_,
             plane_,
-            closedCurve(membrane_.basis(), nodes),
+            closedSurface(membrane_.basis(), nodes),
             bandWidth_
         )
     );
@@ -109,7 +109,7 @@ Foam::capsule::diffuseMembrane::diffuseMembrane
 (
     const word& name,
     const dictionary& dict,
-    const meshPlane& plane,
+    const solvedDirections& plane,
     const fvMesh& mesh,
     const scalar density,
     const scalar viscosity
@@ -152,7 +152,7 @@ void Foam::capsule::diffuseMembrane::start(const volVectorField& U)
 void Foam::capsule::diffuseMembrane::predict(const couplingMethod& method)
 {
     const label n = 2*membrane_.size();
-    const closedCurve predictedCurve(predictedSurface());
+    const closedSurface predictedCurve(predictedSurface());
     extrapolateState(predictedCurve.nodes());
     place(predictedCurve.nodes());
 

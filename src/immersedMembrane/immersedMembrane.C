@@ -44,7 +44,7 @@ Foam::capsule::immersedMembrane::levelSetNames_
 
 Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::filter
 (
-    const closedCurve& curve,
+    const closedSurface& curve,
     const scalar waves
 ) const
 {
@@ -56,9 +56,9 @@ Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::filter
 }
 
 
-Foam::capsule::closedCurve Foam::capsule::immersedMembrane::predictedSurface() const
+Foam::capsule::closedSurface Foam::capsule::immersedMembrane::predictedSurface() const
 {
-    return closedCurve
+    return closedSurface
     (
         membrane_.basis(),
         predicted(mesh_.time().deltaTValue(), mesh_.time().deltaT0Value())
@@ -93,7 +93,7 @@ void Foam::capsule::immersedMembrane::extrapolateState(const nodalVectors& nodes
 
 Foam::scalar Foam::capsule::immersedMembrane::forceNoise
 (
-    const closedCurve& curve
+    const closedSurface& curve
 ) const
 {
     // A wave from point to point, along and across the membrane, small against
@@ -105,7 +105,7 @@ Foam::scalar Foam::capsule::immersedMembrane::forceNoise
         x.row(i).array() += (i % 2 ? -height : height);
     }
     const nodalVectors change =
-        membrane_.force(closedCurve(membrane_.basis(), x), curve.metric())
+        membrane_.force(closedSurface(membrane_.basis(), x), curve.metric())
       - membrane_.force(curve, curve.metric());
 
     return SMALL*curve.nodes().cwiseAbs().maxCoeff()/height*rms(change);
@@ -114,7 +114,7 @@ Foam::scalar Foam::capsule::immersedMembrane::forceNoise
 
 void Foam::capsule::immersedMembrane::setResponse
 (
-    const closedCurve& predictedCurve,
+    const closedSurface& predictedCurve,
     const couplingMethod& method,
     const nodalMatrix& fluidJacobian,
     const nodalMatrix& mobility
@@ -155,7 +155,7 @@ Foam::capsule::immersedMembrane::immersedMembrane
 (
     const word& name,
     const dictionary& dict,
-    const meshPlane& plane,
+    const solvedDirections& plane,
     const fvMesh& mesh,
     const scalar density,
     const scalar viscosity
@@ -195,7 +195,7 @@ Foam::capsule::immersedMembrane::New
     const dictionary& coupling,
     const word& name,
     const dictionary& dict,
-    const meshPlane& plane,
+    const solvedDirections& plane,
     const fvMesh& mesh,
     const scalar density,
     const scalar viscosity
@@ -233,7 +233,7 @@ Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted
         return now.x + dt/dt0*(now.x - membrane_.old(0).x);
     }
     nodalVectors velocity = now.velocity;
-    const closedCurve curve = membrane_.curve();
+    const closedSurface curve = membrane_.curve();
     const nodalScalars w =
         membraneMotion::excess(membrane_, curve, velocity, 0.25/dt);
     if (w.size())

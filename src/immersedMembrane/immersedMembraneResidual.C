@@ -12,12 +12,12 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::capsule::closedCurve Foam::capsule::immersedMembrane::movedSurface
+Foam::capsule::closedSurface Foam::capsule::immersedMembrane::movedSurface
 (
     const nodalVectors& U
 ) const
 {
-    return closedCurve(membrane_.basis(), motion_->points(motion_->velocity(U)));
+    return closedSurface(membrane_.basis(), motion_->points(motion_->velocity(U)));
 }
 
 
@@ -31,7 +31,7 @@ Foam::scalar Foam::capsule::immersedMembrane::cells(const nodalScalars& U) const
 
 void Foam::capsule::immersedMembrane::linearise
 (
-    const closedCurve& at,
+    const closedSurface& at,
     const bool fullTangent
 )
 {

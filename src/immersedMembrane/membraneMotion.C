@@ -17,7 +17,7 @@ const Foam::scalar Foam::capsule::membraneMotion::waves = 3;
 
 Foam::capsule::nodalMatrix Foam::capsule::membraneMotion::areaDerivative
 (
-    const closedCurve& curve
+    const closedSurface& curve
 )
 {
     return
@@ -28,7 +28,7 @@ Foam::capsule::nodalMatrix Foam::capsule::membraneMotion::areaDerivative
 
 Foam::capsule::nodalScalars Foam::capsule::membraneMotion::shift
 (
-    const closedCurve& curve
+    const closedSurface& curve
 )
 {
     return stacked(curve.normal())/curve.perimeter();
@@ -40,8 +40,8 @@ Foam::capsule::nodalScalars Foam::capsule::membraneMotion::shift
 Foam::capsule::membraneMotion::membraneMotion
 (
     const membrane& body,
-    const closedCurve& interface,
-    const closedCurve& predicted,
+    const closedSurface& interface,
+    const closedSurface& predicted,
     const nodalMatrix& filter,
     const timeScheme& scheme,
     const bool conserveArea
@@ -65,7 +65,7 @@ Foam::capsule::membraneMotion::membraneMotion
 
 Foam::capsule::nodalScalars Foam::capsule::membraneMotion::excess
 (
-    const closedCurve& curve,
+    const closedSurface& curve,
     const nodalScalars& reference,
     const nodalVectors& U,
     const scalar fastest
@@ -91,7 +91,7 @@ Foam::capsule::nodalScalars Foam::capsule::membraneMotion::excess
 Foam::capsule::nodalScalars Foam::capsule::membraneMotion::excess
 (
     const membrane& body,
-    const closedCurve& curve,
+    const closedSurface& curve,
     const nodalVectors& U,
     const scalar fastest
 )
@@ -138,7 +138,7 @@ Foam::capsule::nodalVectors Foam::capsule::membraneMotion::points
 
     if (conserveArea_)
     {
-        const closedCurve curve(body_.basis(), x);
+        const closedSurface curve(body_.basis(), x);
         x +=
             (body_.referenceArea() - curve.area())/curve.perimeter()
            *curve.normal();
@@ -166,7 +166,7 @@ Foam::capsule::nodalMatrix Foam::capsule::membraneMotion::displacements
 
 void Foam::capsule::membraneMotion::restoreArea
 (
-    const closedCurve& at,
+    const closedSurface& at,
     nodalMatrix& derivative
 ) const
 {

@@ -71,7 +71,7 @@ Foam::scalar Foam::capsule::momentumLayer::thickness
     const scalar width
 ) const
 {
-    const closedCurve curve(body.curve());
+    const closedSurface curve(body.curve());
     const nodalVectors slope = curve.ds(body.now().velocity);
     const nodalScalars along = dot(slope, curve.tangent());
     nodalScalars turning = dot(slope, curve.normal());

@@ -40,7 +40,7 @@ Foam::capsule::immersedInterface* Foam::capsule::sharpMembrane::makeInterface
         membrane_.name(),
         mesh_,
         plane_,
-        closedCurve(membrane_.basis(), nodes),
+        closedSurface(membrane_.basis(), nodes),
         oneSidedFit::radius
     );
 }
@@ -48,7 +48,7 @@ Foam::capsule::immersedInterface* Foam::capsule::sharpMembrane::makeInterface
 
 Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::resolved
 (
-    const closedCurve& curve,
+    const closedSurface& curve,
     const nodalMatrix& filter,
     const nodalVectors& f
 )
@@ -81,7 +81,7 @@ void Foam::capsule::sharpMembrane::setJumps
     const membrane::state& s
 )
 {
-    const closedCurve& curve = interface.levelSet().curve();
+    const closedSurface& curve = interface.levelSet().curve();
     const nodalMatrix passed = filter(curve, forceWaves_);
 
     interface.setJumps
@@ -120,7 +120,7 @@ Foam::capsule::sharpMembrane::sharpMembrane
 (
     const word& name,
     const dictionary& dict,
-    const meshPlane& plane,
+    const solvedDirections& plane,
     const fvMesh& mesh,
     const scalar density,
     const scalar viscosity
@@ -164,7 +164,7 @@ void Foam::capsule::sharpMembrane::start(const volVectorField& U)
 
 void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
 {
-    const closedCurve predictedCurve(predictedSurface());
+    const closedSurface predictedCurve(predictedSurface());
     const nodalVectors nodes = filter(predictedCurve, shapeWaves_)*predictedCurve.nodes();
     extrapolateState(nodes);
 

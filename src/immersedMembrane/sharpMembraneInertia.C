@@ -49,7 +49,7 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::viscousForce
     const membrane::state& s
 ) const
 {
-    const closedCurve curve(membrane_.basis(), s.interface);
+    const closedSurface curve(membrane_.basis(), s.interface);
     const nodalVectors f =
         resolved(curve, filter(curve, forceWaves_), s.force);
 
@@ -174,7 +174,7 @@ Foam::capsule::vector2 Foam::capsule::sharpMembrane::momentumRate() const
     // the centroid, so that it is the same wherever the membrane is
     const auto flow = [&](const membrane::state& s)
     {
-        const closedCurve curve(membrane_.basis(), s.x);
+        const closedSurface curve(membrane_.basis(), s.x);
         const nodalScalars un = dot(s.velocity, curve.normal());
         const nodalVectors x = s.x.rowwise() - curve.centroid();
         return vector2

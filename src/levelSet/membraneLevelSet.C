@@ -57,8 +57,8 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
 (
     const word& name,
     const fvMesh& mesh,
-    const meshPlane& plane,
-    const closedCurve& curve,
+    const solvedDirections& plane,
+    const closedSurface& curve,
     const scalar bandWidth
 )
 :
@@ -109,7 +109,7 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     const scalar sampleSpacing = 2*curve.perimeter()/samples_.size();
     const List<vector2> images
     (
-        plane.images(centre_, plane.wrapped(centre_))
+        plane.images().images(centre_, plane.images().wrapped(centre_))
     );
     const auto boxAround = [&](const scalar margin, const vector2& image)
     {
@@ -203,7 +203,7 @@ Foam::scalar Foam::capsule::membraneLevelSet::signedDistance
     vector2 nearest = x;
     label sample = -1;
     scalar bound = sqr(GREAT);
-    for (const vector2& image : plane_.images(x, centre_))
+    for (const vector2& image : plane_.images().images(x, centre_))
     {
         const point c = plane_.toPoint(image);
         const pointIndexHit hit = tree_->findNearest(c, bound);

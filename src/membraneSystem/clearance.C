@@ -89,12 +89,12 @@ bool Foam::capsule::clearance::meetHere
 Foam::capsule::clearance::clearance
 (
     const fvMesh& mesh,
-    const meshPlane& plane
+    const solvedDirections& plane
 )
 :
     plane_(plane),
     boundary_(meshBoundary::New(mesh)),
-    width_(Foam::sqrt(gMin(mesh.V().field())/plane.thickness())),
+    width_(gMin(plane.widths(mesh)())),
     largest_(cellSearch::New(mesh).largestWidth())
 {}
 
@@ -107,7 +107,7 @@ Foam::string Foam::capsule::clearance::obstacle
     const scalar cells
 ) const
 {
-    for (const vector2& p : plane_.periods())
+    for (const vector2& p : plane_.images().periods())
     {
         const nodalScalars along = curve*p.transpose()/p.norm();
         const scalar gap = p.norm() - (along.maxCoeff() - along.minCoeff());
@@ -136,12 +136,12 @@ bool Foam::capsule::clearance::meet
     const scalar cells
 ) const
 {
-    if (plane_.periods().empty())
+    if (plane_.images().periods().empty())
     {
         return meetHere(a, b, cells);
     }
     const vector2 centre = middle(b);
-    for (const vector2& image : plane_.images(centre, middle(a)))
+    for (const vector2& image : plane_.images().images(centre, middle(a)))
     {
         if (meetHere(a, b.rowwise() + (image - centre), cells))
         {
@@ -154,7 +154,7 @@ bool Foam::capsule::clearance::meet
 
 Foam::scalar Foam::capsule::clearance::film
 (
-    const closedCurve& curve,
+    const closedSurface& curve,
     vector2& where
 ) const
 {

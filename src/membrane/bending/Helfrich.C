@@ -84,7 +84,7 @@ Foam::capsule::bendingModels::Helfrich::Helfrich(const dictionary& dict)
 
 void Foam::capsule::bendingModels::Helfrich::setReference
 (
-    const closedCurve& curve
+    const closedSurface& curve
 )
 {
     reference_ =
@@ -96,7 +96,7 @@ void Foam::capsule::bendingModels::Helfrich::setReference
 
 void Foam::capsule::bendingModels::Helfrich::addResultant
 (
-    const closedCurve& curve,
+    const closedSurface& curve,
     nodalVectors& resultant
 ) const
 {
@@ -108,7 +108,7 @@ void Foam::capsule::bendingModels::Helfrich::addResultant
 
 void Foam::capsule::bendingModels::Helfrich::addJacobian
 (
-    const closedCurve& curve,
+    const closedSurface& curve,
     nodalMatrix& jacobian
 ) const
 {

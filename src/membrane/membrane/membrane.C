@@ -84,7 +84,7 @@ Foam::scalar Foam::capsule::membrane::perimeterInCells
 
 void Foam::capsule::membrane::setReference
 (
-    const closedCurve& initial,
+    const closedSurface& initial,
     const membraneShape& shape,
     const dictionary& dict
 )
@@ -110,7 +110,7 @@ Foam::capsule::membrane::membrane
 (
     const word& name,
     const dictionary& dict,
-    const meshPlane& plane,
+    const solvedDirections& plane,
     const fvMesh& mesh
 )
 :
@@ -162,7 +162,7 @@ Foam::capsule::membrane::membrane
             << " width to four cell widths apart" << exit(FatalIOError);
     }
 
-    basis_.reset(new periodicBasis(n));
+    basis_.reset(new surfaceBasis(n));
     now_.x = shape->nodes(*basis_);
 
     if (dict.found("load"))
@@ -170,7 +170,7 @@ Foam::capsule::membrane::membrane
         load_ = membraneLoad::New(input::subDict(dict, "load"), mesh);
     }
 
-    const closedCurve initial(*basis_, now_.x);
+    const closedSurface initial(*basis_, now_.x);
     setReference(initial, *shape, shapeDict);
 
     now_.interface = now_.x;
@@ -197,7 +197,7 @@ Foam::capsule::membrane::membrane
 
 Foam::scalar Foam::capsule::membrane::elasticEnergy
 (
-    const closedCurve& curve
+    const closedSurface& curve
 ) const
 {
     const nodalScalars perLength = law_->energy(stretch(curve));
@@ -209,7 +209,7 @@ Foam::scalar Foam::capsule::membrane::elasticEnergy
 
 Foam::capsule::nodalScalars Foam::capsule::membrane::power
 (
-    const closedCurve& curve
+    const closedSurface& curve
 ) const
 {
     return dot(force(curve, curve.metric()), now_.velocity);
@@ -218,7 +218,7 @@ Foam::capsule::nodalScalars Foam::capsule::membrane::power
 
 Foam::capsule::nodalVectors Foam::capsule::membrane::force
 (
-    const closedCurve& curve,
+    const closedSurface& curve,
     const nodalScalars& metric
 ) const
 {
@@ -236,7 +236,7 @@ Foam::capsule::nodalVectors Foam::capsule::membrane::force
 
 Foam::capsule::nodalMatrix Foam::capsule::membrane::forceJacobian
 (
-    const closedCurve& curve,
+    const closedSurface& curve,
     const bool whole
 ) const
 {

@@ -106,11 +106,11 @@ class stateWriter
 {
     const membrane& membrane_;
 
-    const meshPlane& plane_;
+    const solvedDirections& plane_;
 
 public:
 
-    stateWriter(const membrane& m, const meshPlane& plane, const Time& runTime)
+    stateWriter(const membrane& m, const solvedDirections& plane, const Time& runTime)
     :
         regIOobject(stateFile(m.name(), runTime, IOobject::NO_READ)),
         membrane_(m),
@@ -284,11 +284,11 @@ void Foam::capsule::membrane::write(const Time& runTime) const
 
 void Foam::capsule::membrane::writeCloud(const fvMesh& mesh) const
 {
-    const closedCurve now(curve());
+    const closedSurface now(curve());
     nodalVectors wrapped(now.nodes());
     for (Eigen::Index i = 0; i < wrapped.rows(); ++i)
     {
-        wrapped.row(i) = plane_.wrapped(now.nodes().row(i));
+        wrapped.row(i) = plane_.images().wrapped(now.nodes().row(i));
     }
     const pointField points(plane_.toPoints(wrapped));
     const vectorField velocity(plane_.toVectors(now_.velocity));

@@ -31,7 +31,7 @@ namespace shapes
 Foam::capsule::shapes::biconcave::biconcave
 (
     const dictionary& dict,
-    const meshPlane& plane
+    const solvedDirections& plane
 )
 :
     membraneShape(dict, plane, {"radius"}),

@@ -31,7 +31,7 @@ namespace shapes
 Foam::capsule::shapes::circle::circle
 (
     const dictionary& dict,
-    const meshPlane& plane
+    const solvedDirections& plane
 )
 :
     membraneShape(dict, plane, {"radius"}),

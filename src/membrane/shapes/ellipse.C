@@ -31,7 +31,7 @@ namespace shapes
 Foam::capsule::shapes::ellipse::ellipse
 (
     const dictionary& dict,
-    const meshPlane& plane
+    const solvedDirections& plane
 )
 :
     membraneShape(dict, plane, {"semiAxes"}),

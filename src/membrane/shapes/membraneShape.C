@@ -30,7 +30,7 @@ namespace capsule
 Foam::capsule::membraneShape::membraneShape
 (
     const dictionary& dict,
-    const meshPlane& plane,
+    const solvedDirections& plane,
     const wordList& own
 )
 :
@@ -68,7 +68,7 @@ Foam::capsule::membraneShape::membraneShape
 Foam::autoPtr<Foam::capsule::membraneShape> Foam::capsule::membraneShape::New
 (
     const dictionary& dict,
-    const meshPlane& plane
+    const solvedDirections& plane
 )
 {
     const word type(input::get<word>(dict, "type"));
@@ -119,18 +119,18 @@ Foam::capsule::vector2 Foam::capsule::membraneShape::placed
 
 Foam::capsule::nodalVectors Foam::capsule::membraneShape::nodes
 (
-    const periodicBasis& basis
+    const surfaceBasis& basis
 ) const
 {
     // A fine trigonometric curve in chi, whose arc length is then inverted:
     // the series of the metric is integrated term by term
-    static const periodicBasis fine(513);
+    static const surfaceBasis fine(513);
     nodalVectors x(fine.size(), 2);
     for (label i = 0; i < fine.size(); ++i)
     {
         x.row(i) = local(fine.alpha(i));
     }
-    const closedCurve curve(fine, x);
+    const closedSurface curve(fine, x);
     const nodalScalars g = fine.analysis()*curve.metric();
 
     const auto arcLength = [&](const scalar chi)

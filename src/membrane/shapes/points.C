@@ -55,7 +55,7 @@ Foam::pointField Foam::capsule::shapes::points::readList(Istream& is)
 void Foam::capsule::shapes::points::setPoints
 (
     const pointField& list,
-    const meshPlane& plane,
+    const solvedDirections& plane,
     const dictionary& dict,
     const fileName& file
 )
@@ -171,7 +171,7 @@ void Foam::capsule::shapes::points::check
 Foam::capsule::shapes::points::points
 (
     const dictionary& dict,
-    const meshPlane& plane
+    const solvedDirections& plane
 )
 :
     membraneShape(dict, plane, {"file"})

@@ -16,7 +16,7 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-#include "closedCurve.H"
+#include "closedSurface.H"
 #include "elasticLaw.H"
 #include "bendingModel.H"
 #include "freeSpaceResponse.H"
@@ -41,7 +41,7 @@ static void check(const char* what, const scalar value, const scalar bound)
 
 static nodalVectors ellipse
 (
-    const periodicBasis& basis,
+    const surfaceBasis& basis,
     const scalar a,
     const scalar b
 )
@@ -61,8 +61,8 @@ int main()
     scalar last = 0;
     for (const label n : {16, 17, 32, 33})
     {
-        const periodicBasis basis(n);
-        const closedCurve curve(basis, ellipse(basis, 2, 1));
+        const surfaceBasis basis(n);
+        const closedSurface curve(basis, ellipse(basis, 2, 1));
         const scalar error = mag(curve.perimeter() - perimeter);
         check("area of an ellipse", curve.area() - 2*pi, 1e-12);
         check("centroid", curve.centroid()(0) - 3, 1e-12);
@@ -80,13 +80,13 @@ int main()
             check
             (
                 "inclination",
-                closedCurve(basis, x).inclination() - a, 1e-10
+                closedSurface(basis, x).inclination() - a, 1e-10
             );
         }
         check
         (
             "inclination of a circle",
-            closedCurve(basis, ellipse(basis, 2, 2)).inclination(), 0
+            closedSurface(basis, ellipse(basis, 2, 2)).inclination(), 0
         );
         if (n == 33)
         {
@@ -99,8 +99,8 @@ int main()
         }
     }
 
-    const periodicBasis basis(41);
-    const closedCurve curve(basis, ellipse(basis, 2, 1));
+    const surfaceBasis basis(41);
+    const closedSurface curve(basis, ellipse(basis, 2, 1));
 
     // Nearest point: from a point on the normal at a known parameter
     for (const scalar alpha : {0.3, 1.5, 4.0})
@@ -135,7 +135,7 @@ int main()
 
     // Constant tension on a circle: F = -T/R n
     {
-        const closedCurve circle(basis, ellipse(basis, 0.5, 0.5));
+        const closedSurface circle(basis, ellipse(basis, 0.5, 0.5));
         const nodalVectors F = circle.ds(circle.tangent());
         check
         (
@@ -148,9 +148,9 @@ int main()
     // ellipse displaced by a smooth wave, away from its initial shape, a flatter
     // one
     {
-        const closedCurve initial(basis, ellipse(basis, 1.8, 1.2));
+        const closedSurface initial(basis, ellipse(basis, 1.8, 1.2));
         const nodalVectors x = ellipse(basis, 2, 1);
-        const closedCurve curve(basis, x);
+        const closedSurface curve(basis, x);
         nodalVectors dx(basis.size(), 2);
         for (label i = 0; i < basis.size(); ++i)
         {
@@ -174,7 +174,7 @@ int main()
             nodalVectors resultant = nodalVectors::Zero(basis.size(), 2);
             bending.addResultant
             (
-                closedCurve(basis, x + step*dx), resultant
+                closedSurface(basis, x + step*dx), resultant
             );
             return curve.ds(resultant);
         };
@@ -210,7 +210,7 @@ int main()
         // part of the initial curvature is the difference, and a curvature that
         // is the same everywhere has no force
         const auto resultant =
-            [&](const char* reference, const closedCurve& shape)
+            [&](const char* reference, const closedSurface& shape)
         {
             nodalVectors result = nodalVectors::Zero(basis.size(), 2);
             model(reference)->addResultant(shape, result);
@@ -249,7 +249,7 @@ int main()
 
     // A normal force cos(m theta) on a circle of radius R in one viscosity
     // moves it by R m/(4 mu (m^2 - 1)) cos(m theta) n (plus a part along t)
-    const closedCurve circle(basis, ellipse(basis, 2, 2));
+    const closedSurface circle(basis, ellipse(basis, 2, 2));
     const nodalMatrix S = freeSpaceResponse::singleLayer(circle, 0.5);
     const nodalMatrix K = freeSpaceResponse::adjointDoubleLayer(circle);
     for (const label m : {2, 3, 7})
@@ -287,7 +287,7 @@ int main()
     // Integral over the parameter
     for (const label n : {16, 17})
     {
-        const periodicBasis nodes(n);
+        const surfaceBasis nodes(n);
         nodalScalars f(n);
         nodalScalars exact(n);
         for (label i = 0; i < n; ++i)
@@ -305,7 +305,7 @@ int main()
 
     // Points of a drop move with it, and stand still as it turns
     {
-        const closedCurve body(basis, ellipse(basis, 2, 1));
+        const closedSurface body(basis, ellipse(basis, 2, 1));
         const nodalScalars even = nodalScalars::Ones(basis.size());
         nodalVectors U(basis.size(), 2);
         U.col(0).setConstant(0.7);
@@ -354,7 +354,7 @@ int main()
         nodalScalars pace;
         for (label step = 0; step < 300; ++step)
         {
-            const closedCurve now(basis, x);
+            const closedSurface now(basis, x);
             nodalVectors U(basis.size(), 2);
             U.col(0) = -1.4*x.col(1);
             U.col(1) = ((x.col(0).array() - 3)/1.4).matrix();
@@ -369,7 +369,7 @@ int main()
                 x.row(i) << 3 + d(0)/off, d(1)/off;
             }
         }
-        const nodalScalars g = closedCurve(basis, x).metric();
+        const nodalScalars g = closedSurface(basis, x).metric();
         check
         (
             "points become even",

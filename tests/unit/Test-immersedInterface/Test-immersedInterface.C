@@ -110,7 +110,7 @@ static void writeResiduals
 (
     const modeFlow& exact,
     const vector2& centre,
-    const meshPlane& plane,
+    const solvedDirections& plane,
     const immersedInterface& interface,
     volVectorField U,
     volScalarField p
@@ -231,7 +231,7 @@ int main(int argc, char *argv[])
     const scalar lambda = args.get<scalar>(1);
     const modeFlow exact(mode, lambda, 1, 0.5);
     const vector2 centre(0.013, 0.027);
-    const meshPlane plane(mesh);
+    const solvedDirections plane(mesh);
 
     vector2 u;
     scalar q;
@@ -260,7 +260,7 @@ int main(int argc, char *argv[])
     }
 
     const scalar h = Foam::sqrt(gMax(mesh.V().field())/plane.thickness());
-    const periodicBasis basis(2*label(constant::mathematical::pi/h) + 1);
+    const surfaceBasis basis(2*label(constant::mathematical::pi/h) + 1);
     nodalVectors x(basis.size(), 2);
     nodalVectors f(basis.size(), 2);
     for (label i = 0; i < basis.size(); ++i)
@@ -272,7 +272,7 @@ int main(int argc, char *argv[])
             std::cos(mode*th)*n
           + 0.5*std::sin(mode*th)*vector2(-n(1), n(0));
     }
-    const closedCurve curve(basis, x);
+    const closedSurface curve(basis, x);
 
     immersedInterface interface
     (

@@ -56,7 +56,7 @@ Foam::boolList Foam::functionObjects::analyticalErrors::inside
     const scalar t
 ) const
 {
-    const capsule::meshPlane plane(mesh_);
+    const capsule::solvedDirections plane(mesh_);
     const auto* membranes =
         mesh_.findObject<capsule::membraneSystem>("membraneProperties");
 
@@ -71,7 +71,7 @@ Foam::boolList Foam::functionObjects::analyticalErrors::inside
     for (label i = 0; membranes && i < membranes->size(); ++i)
     {
         const capsule::membrane& m = (*membranes)[i];
-        const capsule::closedCurve curve(m.basis(), m.now().interface);
+        const capsule::closedSurface curve(m.basis(), m.now().interface);
         const capsule::membraneLevelSet distance
         (
             m.name(), mesh_, plane, curve, 1
@@ -116,7 +116,7 @@ bool Foam::functionObjects::analyticalErrors::write()
 {
     const volVectorField& U = lookupObject<volVectorField>("U");
     const volScalarField& p = lookupObject<volScalarField>("p");
-    const capsule::meshPlane plane(mesh_);
+    const capsule::solvedDirections plane(mesh_);
     const scalarField& V = mesh_.V().field();
     const scalar t = mesh_.time().value();
 

@@ -40,7 +40,7 @@ Foam::capsule::analyticalLoad::analyticalLoad
 
 Foam::capsule::nodalVectors Foam::capsule::analyticalLoad::force
 (
-    const closedCurve& curve
+    const closedSurface& curve
 ) const
 {
     nodalVectors result(curve.size(), 2);

@@ -88,7 +88,7 @@ void Foam::analyticalPressureFvPatchScalarField::updateCoeffs()
     }
 
     // Central difference over a small part of the distance to the cell
-    const capsule::meshPlane plane(mesh);
+    const capsule::solvedDirections plane(mesh);
     const scalar t = db().time().value();
     const vectorField step(1e-3*patch().nf()/patch().deltaCoeffs());
     const vectorField& centres = patch().Cf();

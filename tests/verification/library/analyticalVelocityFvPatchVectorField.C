@@ -82,7 +82,7 @@ void Foam::analyticalVelocityFvPatchVectorField::updateCoeffs()
         exact_ = capsule::analyticalSolution::New(mesh);
     }
 
-    const capsule::meshPlane plane(mesh);
+    const capsule::solvedDirections plane(mesh);
     const scalar t = db().time().value();
     vectorField& Up = *this;
     forAll(Up, i)

@@ -38,7 +38,7 @@ int main(int argc, char *argv[])
     (
         capsule::analyticalSolution::New(mesh)
     );
-    const capsule::meshPlane plane(mesh);
+    const capsule::solvedDirections plane(mesh);
 
     forAll(U, celli)
     {

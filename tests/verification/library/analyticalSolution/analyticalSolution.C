@@ -45,7 +45,7 @@ namespace capsule
 Foam::capsule::analyticalSolution::analyticalSolution
 (
     const dictionary& dict,
-    const meshPlane& plane,
+    const solvedDirections& plane,
     const Pair<scalar>& viscosity,
     const scalar density
 )
@@ -88,7 +88,7 @@ Foam::capsule::analyticalSolution::New(const fvMesh& mesh)
     return cstrIter()
     (
         dict,
-        meshPlane(mesh),
+        solvedDirections(mesh),
         Pair<scalar>
         (
             circle.get<scalar>("viscosity"),

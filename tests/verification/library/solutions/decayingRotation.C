@@ -47,7 +47,7 @@ Foam::scalar Foam::capsule::analyticalSolutions::decayingRotation::rotation
 Foam::capsule::analyticalSolutions::decayingRotation::decayingRotation
 (
     const dictionary& dict,
-    const meshPlane& plane,
+    const solvedDirections& plane,
     const Pair<scalar>& viscosity,
     const scalar density
 )

@@ -153,7 +153,7 @@ Foam::capsule::analyticalSolutions::dropMode::imbalance(const number rate)
 Foam::capsule::analyticalSolutions::dropMode::dropMode
 (
     const dictionary& dict,
-    const meshPlane& plane,
+    const solvedDirections& plane,
     const Pair<scalar>& viscosity,
     const scalar density
 )

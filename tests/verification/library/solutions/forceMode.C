@@ -31,7 +31,7 @@ namespace analyticalSolutions
 Foam::capsule::analyticalSolutions::forceMode::forceMode
 (
     const dictionary& dict,
-    const meshPlane& plane,
+    const solvedDirections& plane,
     const Pair<scalar>& viscosity,
     const scalar density
 )

@@ -31,7 +31,7 @@ namespace analyticalSolutions
 Foam::capsule::analyticalSolutions::rotatingRing::rotatingRing
 (
     const dictionary& dict,
-    const meshPlane& plane,
+    const solvedDirections& plane,
     const Pair<scalar>& viscosity,
     const scalar density
 )

@@ -49,7 +49,7 @@ static nodalScalars logarithmWeights(const label n)
 
 Foam::capsule::nodalMatrix Foam::capsule::freeSpaceResponse::singleLayer
 (
-    const closedCurve& curve,
+    const closedSurface& curve,
     const scalar mu
 )
 {
@@ -95,7 +95,7 @@ Foam::capsule::nodalMatrix Foam::capsule::freeSpaceResponse::singleLayer
 
 Foam::capsule::nodalMatrix Foam::capsule::freeSpaceResponse::adjointDoubleLayer
 (
-    const closedCurve& curve
+    const closedSurface& curve
 )
 {
     const label n = curve.size();

@@ -8,14 +8,16 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "periodicBasis.H"
+#include "surfaceBasis.H"
+#include "axisymmetricBasis.H"
+#include "solvedDirections.H"
 #include "mathematicalConstants.H"
 
 using Foam::constant::mathematical::twoPi;
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::capsule::periodicBasis::periodicBasis(const label n)
+Foam::capsule::surfaceBasis::surfaceBasis(const label n)
 :
     n_(n),
     analysis_(n, n),
@@ -41,15 +43,30 @@ Foam::capsule::periodicBasis::periodicBasis(const label n)
 }
 
 
+Foam::autoPtr<Foam::capsule::surfaceBasis> Foam::capsule::surfaceBasis::New
+(
+    const solvedDirections& directions,
+    const label n
+)
+{
+    return autoPtr<surfaceBasis>
+    (
+        directions.axisymmetric()
+      ? new axisymmetricBasis(n, directions.axisAt())
+      : new surfaceBasis(n)
+    );
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::capsule::periodicBasis::spacing() const
+Foam::scalar Foam::capsule::surfaceBasis::spacing() const
 {
     return twoPi/n_;
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::periodicBasis::functions
+Foam::capsule::nodalScalars Foam::capsule::surfaceBasis::functions
 (
     const scalar alpha,
     const label order
@@ -82,7 +99,7 @@ Foam::capsule::nodalScalars Foam::capsule::periodicBasis::functions
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::periodicBasis::integrated
+Foam::capsule::nodalScalars Foam::capsule::surfaceBasis::integrated
 (
     const nodalScalars& f
 ) const
@@ -107,7 +124,7 @@ Foam::capsule::nodalScalars Foam::capsule::periodicBasis::integrated
 }
 
 
-Foam::capsule::nodalMatrix Foam::capsule::periodicBasis::evaluation
+Foam::capsule::nodalMatrix Foam::capsule::surfaceBasis::evaluation
 (
     const nodalScalars& alphas
 ) const
@@ -121,7 +138,7 @@ Foam::capsule::nodalMatrix Foam::capsule::periodicBasis::evaluation
 }
 
 
-Foam::capsule::nodalMatrix Foam::capsule::periodicBasis::lowPass
+Foam::capsule::nodalMatrix Foam::capsule::surfaceBasis::lowPass
 (
     const scalar cutoff
 ) const

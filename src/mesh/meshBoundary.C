@@ -27,7 +27,7 @@ namespace capsule
     (
         const pointField& points,
         const face& f,
-        const meshPlane& plane
+        const solvedDirections& plane
     )
     {
         const auto farthest = [&](const vector2& from)
@@ -95,11 +95,11 @@ bool Foam::capsule::meshBoundary::encloses(const vector2& x) const
 
 bool Foam::capsule::meshBoundary::containsHere(const vector2& x) const
 {
-    if (plane_.periods().empty())
+    if (plane_.images().periods().empty())
     {
         return encloses(x);
     }
-    for (const vector2& image : plane_.images(x, plane_.wrapped(x)))
+    for (const vector2& image : plane_.images().images(x, plane_.images().wrapped(x)))
     {
         if (encloses(image))
         {
@@ -192,7 +192,7 @@ Foam::word Foam::capsule::meshBoundary::nearest
     for (const side& s : walls_)
     {
         const vector2 c = 0.5*(s.a + s.b);
-        const vector2 shift = plane_.image(c, centre) - c;
+        const vector2 shift = plane_.images().image(c, centre) - c;
         const vector2 a = s.a + shift;
         const vector2 b = s.b + shift;
         const scalar reach = cells*s.width + 0.5*(b - a).norm();
@@ -237,7 +237,7 @@ Foam::word Foam::capsule::meshBoundary::enclosed
     label patchi = -1;
     for (const side& s : walls_)
     {
-        if (inPolygon(plane_.image(s.a, centre), polygon))
+        if (inPolygon(plane_.images().image(s.a, centre), polygon))
         {
             patchi = max(patchi, s.patch);
         }

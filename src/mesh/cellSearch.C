@@ -9,7 +9,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cellSearch.H"
-#include "meshPlane.H"
+#include "solvedDirections.H"
+#include "emptyPolyPatch.H"
+#include "wedgePolyPatch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -18,7 +20,7 @@ namespace Foam
 namespace capsule
 {
 
-static pointField middles(const fvMesh& mesh, const meshPlane& plane)
+static pointField middles(const fvMesh& mesh, const solvedDirections& plane)
 {
     pointField result(mesh.nCells());
     forAll(result, celli)
@@ -29,11 +31,44 @@ static pointField middles(const fvMesh& mesh, const meshPlane& plane)
 }
 
 
+//- Is a face a line in the plane? Those of empty and wedge patches
+//  are not
+static bool inPlane(const fvMesh& mesh, const label facei)
+{
+    if (mesh.isInternalFace(facei))
+    {
+        return true;
+    }
+    const polyPatch& pp =
+        mesh.boundaryMesh()[mesh.boundaryMesh().whichPatch(facei)];
+    return !isA<emptyPolyPatch>(pp) && !isA<wedgePolyPatch>(pp);
+}
+
+
+//- Length of a face that is a line in the plane
+static scalar lengthOf
+(
+    const fvMesh& mesh,
+    const solvedDirections& plane,
+    const label facei
+)
+{
+    scalar length = 0;
+    const face& f = mesh.faces()[facei];
+    const vector2 first = plane(mesh.points()[f[0]]);
+    for (const label pointi : f)
+    {
+        length = max(length, (plane(mesh.points()[pointi]) - first).norm());
+    }
+    return length;
+}
+
+
 //- Size of a cell along the normal of its longest face, and across
 static cellSearch::size sizeOf
 (
     const fvMesh& mesh,
-    const meshPlane& plane,
+    const solvedDirections& plane,
     const label celli
 )
 {
@@ -41,11 +76,11 @@ static cellSearch::size sizeOf
     scalar longest = 0;
     for (const label facei : mesh.cells()[celli])
     {
-        const vector2 S = plane(mesh.faceAreas()[facei]);
-        if (S.norm() > (1 + 1e-6)*longest)
+        const scalar length = inPlane(mesh, facei) ? lengthOf(mesh, plane, facei) : 0;
+        if (length > (1 + 1e-6)*longest)
         {
-            longest = S.norm();
-            result.direction = S/longest;
+            longest = length;
+            result.direction = plane(mesh.faceAreas()[facei]).normalized();
         }
     }
 
@@ -87,11 +122,11 @@ namespace capsule
 Foam::capsule::cellSearch::cellSearch(const fvMesh& mesh)
 :
     MeshObject<fvMesh, GeometricMeshObject, cellSearch>(mesh),
-    centres_(middles(mesh, meshPlane(mesh))),
+    centres_(middles(mesh, solvedDirections(mesh))),
     sizes_(mesh.nCells()),
     largest_(0)
 {
-    const meshPlane plane(mesh);
+    const solvedDirections plane(mesh);
     forAll(sizes_, celli)
     {
         sizes_[celli] = sizeOf(mesh, plane, celli);

@@ -30,7 +30,7 @@ Foam::capsule::lineOfSight::lineOfSight(const fvMesh& mesh)
     MeshObject<fvMesh, GeometricMeshObject, lineOfSight>(mesh),
     halfLongest_(0)
 {
-    const meshPlane plane(mesh);
+    const solvedDirections plane(mesh);
 
     // First end and the vector to the second, which is the point of the face
     // furthest from it

@@ -1,0 +1,240 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+
+\*---------------------------------------------------------------------------*/
+
+#include "solvedDirections.H"
+#include "emptyPolyPatch.H"
+#include "wedgePolyPatch.H"
+#include "mathematicalConstants.H"
+#include "volFields.H"
+#include "surfaceFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::capsule::solvedDirections::setPlane(const fvMesh& mesh)
+{
+    if (mesh.nGeometricD() != 2)
+    {
+        FatalErrorInFunction
+            << "The mesh in " << mesh.boundaryMesh().objectPath() << " has "
+            << mesh.nGeometricD() << " solved directions" << nl
+            << "    Membranes need a plane two-dimensional mesh, two opposite"
+            << " patches of type empty, or a wedge, two patches of type wedge."
+            << exit(FatalError);
+    }
+    label nEmpty = 0;
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        nEmpty += (isA<emptyPolyPatch>(pp) ? pp.size() : 0);
+    }
+    if (nEmpty != 2*mesh.nCells())
+    {
+        FatalErrorInFunction
+            << "The mesh in " << mesh.boundaryMesh().objectPath() << " has "
+            << mesh.nCells() << " cells and " << nEmpty << " faces on patches"
+            << " of type empty" << nl
+            << "    A plane mesh is one cell thick: two such faces a cell."
+            << exit(FatalError);
+    }
+
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (mesh.geometricD()[d] == -1)
+        {
+            across_ = d;
+        }
+    }
+    first_ = (across_ == 0 ? 1 : 0);
+    second_ = (across_ == 2 ? 1 : 2);
+
+    middle_ = mesh.bounds().midpoint()[across_];
+    thickness_ = mesh.bounds().span()[across_];
+}
+
+
+void Foam::capsule::solvedDirections::setWedge(const fvMesh& mesh)
+{
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    const auto refuse = [&](const string& why)
+    {
+        FatalErrorInFunction
+            << "The wedge in " << patches.objectPath() << ' ' << why.c_str()
+            << nl << "    A wedge is one cell thick between two patches of type"
+            << " wedge, symmetric about a plane of the coordinates, with its"
+            << " axis along a direction of the coordinates and the cells at"
+            << " greater values of the other one." << exit(FatalError);
+    };
+
+    label nWedge = 0;
+    scalar axisAt = -GREAT;
+    middle_ = mesh.bounds().midpoint()[0];
+    for (const polyPatch& pp : patches)
+    {
+        if (!isA<wedgePolyPatch>(pp))
+        {
+            continue;
+        }
+        const auto& wedge = refCast<const wedgePolyPatch>(pp);
+        const vector& axis = wedge.axis();
+        const vector& normal = wedge.centreNormal();
+        nWedge += wedge.size();
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (mag(axis[d]) > 1 - 1e-6)
+            {
+                first_ = d;
+            }
+            if (mag(normal[d]) > 1 - 1e-6)
+            {
+                across_ = d;
+            }
+        }
+        if (cmptMax(cmptMag(axis)) <= 1 - 1e-6)
+        {
+            refuse("has its axis along " + Foam::name(axis));
+        }
+        second_ = 3 - first_ - across_;
+        middle_ = mesh.bounds().midpoint()[across_];
+        thickness_ = 2*std::tan(std::acos(wedge.cosAngle()));
+        if (wedge.size())
+        {
+            // Where the plane of the patch meets the middle plane
+            const point& c = wedge.faceCentres()[0];
+            const vector n = normalised(wedge.faceAreas()[0]);
+            axisAt = c[second_] + n[across_]/n[second_]*(c[across_] - middle_);
+        }
+    }
+    axisAt_ = returnReduce(axisAt, maxOp<scalar>());
+
+    if (returnReduce(nWedge != 2*mesh.nCells(), orOp<bool>()))
+    {
+        refuse("is not one cell thick");
+    }
+    const scalar span = mesh.bounds().span()[second_];
+    if (mesh.bounds().min()[second_] < axisAt_ - 1e-6*span)
+    {
+        refuse("reaches beyond its axis, or lies at smaller values");
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::solvedDirections::solvedDirections(const fvMesh& mesh)
+:
+    first_(0),
+    second_(1),
+    across_(2),
+    middle_(0),
+    axisymmetric_(false),
+    axisAt_(0),
+    thickness_(0)
+{
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        axisymmetric_ = axisymmetric_ || isA<wedgePolyPatch>(pp);
+    }
+    if (axisymmetric_)
+    {
+        setWedge(mesh);
+    }
+    else
+    {
+        setPlane(mesh);
+    }
+    images_.reset(new periodicImages(mesh, *this));
+
+    // Geometry that is made on demand, which takes all processors: later only
+    // those that a membrane cuts would ask for it
+    mesh.C();
+    mesh.weights();
+    mesh.nonOrthDeltaCoeffs();
+}
+
+
+Foam::capsule::solvedDirections::solvedDirections(const solvedDirections& other)
+:
+    first_(other.first_),
+    second_(other.second_),
+    across_(other.across_),
+    middle_(other.middle_),
+    axisymmetric_(other.axisymmetric_),
+    axisAt_(other.axisAt_),
+    thickness_(other.thickness_),
+    images_(new periodicImages(*other.images_))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::capsule::solvedDirections::sector() const
+{
+    return
+        axisymmetric_
+      ? thickness_/constant::mathematical::twoPi
+      : thickness_;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::capsule::solvedDirections::widths
+(
+    const fvMesh& mesh
+) const
+{
+    tmp<scalarField> twidths(new scalarField(mesh.V().field()));
+    scalarField& widths = twidths.ref();
+    forAll(widths, celli)
+    {
+        widths[celli] = Foam::sqrt
+        (
+            widths[celli]/thickness((*this)(mesh.cellCentres()[celli]))
+        );
+    }
+    return twidths;
+}
+
+
+Foam::pointField Foam::capsule::solvedDirections::toPoints(const nodalVectors& x) const
+{
+    pointField result(x.rows());
+    forAll(result, i)
+    {
+        result[i] = toPoint(x.row(i));
+    }
+    return result;
+}
+
+
+Foam::vectorField Foam::capsule::solvedDirections::toVectors
+(
+    const nodalVectors& v
+) const
+{
+    vectorField result(v.rows());
+    forAll(result, i)
+    {
+        result[i] = toVector(v.row(i));
+    }
+    return result;
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::solvedDirections::toNodes
+(
+    const vectorField& v
+) const
+{
+    nodalVectors result(v.size(), 2);
+    forAll(v, i)
+    {
+        result.row(i) = (*this)(v[i]);
+    }
+    return result;
+}

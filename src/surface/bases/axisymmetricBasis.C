@@ -1,0 +1,125 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+
+\*---------------------------------------------------------------------------*/
+
+#include "axisymmetricBasis.H"
+#include "error.H"
+#include "mathematicalConstants.H"
+
+using Foam::constant::mathematical::pi;
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::axisymmetricBasis::axisymmetricBasis
+(
+    const label n,
+    const scalar axis
+)
+:
+    surfaceBasis(n),
+    axis_(axis)
+{
+    if (n % 2)
+    {
+        FatalErrorInFunction
+            << "A surface of revolution needs an even number of points, not "
+            << n << abort(FatalError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::capsule::nodalScalars Foam::capsule::axisymmetricBasis::weights() const
+{
+    // r f g = Sum_k b_k sin k theta has the integral Sum 2 b_k/k, k odd; once
+    // around is 2 pi, shared by the two halves, on one of which r is negative
+    const label n = nPacked();
+    nodalScalars result(2*n);
+    for (label j = 0; j < n; ++j)
+    {
+        const scalar theta = (j + 0.5)*spacing();
+        scalar sum = 0;
+        for (label k = 1; k <= n; k += 2)
+        {
+            sum += (k < n ? 2 : 1)*2*std::sin(k*theta)/(n*scalar(k));
+        }
+        result(j) = pi*sum;
+        result(2*n - 1 - j) = -pi*sum;
+    }
+    return result;
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::axisymmetricBasis::pack
+(
+    const nodalVectors& v
+) const
+{
+    const label n = nPacked();
+    nodalScalars result(2*n);
+    result << v.col(0).head(n), v.col(1).head(n);
+    return result;
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::axisymmetricBasis::unpack
+(
+    const nodalScalars& v
+) const
+{
+    const label n = nPacked();
+    nodalVectors result(2*n, 2);
+    for (label i = 0; i < 2; ++i)
+    {
+        result.col(i).head(n) = v.segment(i*n, n);
+        result.col(i).tail(n) =
+            (i == 0 ? 1 : -1)*v.segment(i*n, n).reverse();
+    }
+    return result;
+}
+
+
+Foam::capsule::nodalMatrix Foam::capsule::axisymmetricBasis::reduced
+(
+    const nodalMatrix& m
+) const
+{
+    // Rows of the nodes that count; columns of mirror images added to theirs
+    const label n = nPacked();
+    nodalMatrix result(2*n, 2*n);
+    for (label i = 0; i < 2; ++i)
+    {
+        for (label j = 0; j < 2; ++j)
+        {
+            const auto block = m.block(i*2*n, j*2*n, n, 2*n);
+            result.block(i*n, j*n, n, n) =
+                block.leftCols(n)
+              + (j == 0 ? 1 : -1)*block.rightCols(n).rowwise().reverse();
+        }
+    }
+    return result;
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::axisymmetricBasis::mirrored
+(
+    const nodalVectors& x
+) const
+{
+    nodalVectors relative(x);
+    relative.col(1).array() -= axis_;
+    relative = unpack(pack(relative));
+    relative.col(1).array() += axis_;
+    return relative;
+}
+
+
+// ************************************************************************* //
