@@ -255,8 +255,9 @@ Foam::tmp<Foam::vectorField> Foam::capsule::flowEquations::fluxCoeffs
     {
         return tmp<vectorField>(S);
     }
-    if (isA<basicSymmetryFvPatchVectorField>(Up))
+    if (isA<transformFvPatchVectorField>(Up))
     {
+        // Along the patch: symmetry, slip, wedge
         return tmp<vectorField>(new vectorField(S.size(), Zero));
     }
     return cmptMultiply

@@ -128,8 +128,11 @@ void Foam::capsule::fractionalStep::setPreconditioner(const fvVectorMatrix& UEqn
             walls += gSum(mag(pp.faceAreas()));
         }
     }
-    const scalar perHeight = walls/(2*gSum(mesh_.V().field()));
-    friction_ = sum/mesh_.V().field() + 12*mu_*sqr(perHeight);
+    // 48 mu/D^2 between plates, 32 mu/D^2 in a tube, D = 4 V/A
+    const scalar perDiameter = walls/(4*gSum(mesh_.V().field()));
+    friction_ =
+        sum/mesh_.V().field()
+      + (plane_.axisymmetric() ? 32 : 48)*mu_*sqr(perDiameter);
 
     if (!pressureEqn_.valid())
     {

@@ -180,7 +180,7 @@ bool Foam::functionObjects::energyBalance::write()
         mesh_.lookupObjectRef<volVectorField>("U").boundaryFieldRef() ==
             written.boundaryField();
     }
-    const scalar thickness = system.plane().thickness();
+    const scalar sector = system.plane().sector();
     const scalarField& V = mesh_.V();
 
     const volTensorField gradient(system.velocityGradient());
@@ -195,7 +195,7 @@ bool Foam::functionObjects::energyBalance::write()
         (
             2*viscosity.primitiveField()
            *magSqr(symm(gradient.primitiveField()))*V
-        )/thickness;
+        )/sector;
     scalar rate = 0;
     const bool known =
         !postProcess || capsule::kineticEnergyRate::read(mesh_, rate);
@@ -203,9 +203,9 @@ bool Foam::functionObjects::energyBalance::write()
     {
         rate = capsule::kineticEnergyRate::ofStep(U, system.density());
     }
-    const scalar kinetic = (rate + boundary.second())/thickness;
+    const scalar kinetic = (rate + boundary.second())/sector;
     const scalar driving =
-        (system.driving().force() & gSum(U.primitiveField()*V))/thickness;
+        (system.driving().force() & gSum(U.primitiveField()*V))/sector;
     scalar membranes = 0;
     scalar gross = 0;
     for (label i = 0; i < system.size(); ++i)
@@ -216,7 +216,7 @@ bool Foam::functionObjects::energyBalance::write()
         gross += curve.integral(power.cwiseAbs());
     }
 
-    const scalar stress = boundary.first()/thickness;
+    const scalar stress = boundary.first()/sector;
     const scalar imbalance =
         stress + membranes + driving - dissipation - kinetic;
     const scalar fed =
@@ -259,7 +259,9 @@ bool Foam::functionObjects::energyBalance::write()
     if (mag(imbalance) > max(largestImbalance_*fed, rest_*gross))
     {
         WarningInFunction
-            << "Power of " << imbalance << " [W/m] is out of balance, but "
+            << "Power of " << imbalance
+            << (system.plane().axisymmetric() ? " [W]" : " [W/m]")
+            << " is out of balance, but "
             << fed << " feed the flow: the mesh does not resolve it" << endl;
     }
     return true;

@@ -322,11 +322,11 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
         const capsule::membrane& m = system[i];
         const capsule::closedSurface curve(m.basis(), m.now().interface);
         const nodalVectors& n = curve.normal();
-        const nodalVectors F = m.force(m.curve(), curve.metric());
+        const nodalVectors F = m.force(m.curve(), curve.areaElement());
 
         // No net flux, so that the level of the pressure has no weight
         nodalVectors U = m.now().velocity;
-        U -= curve.integral(dot(U, n))/curve.perimeter()*n;
+        U -= curve.integral(dot(U, n))/curve.surface()*n;
 
         const capsule::oneSidedFit::fitted empty =
             system.fit(i).smooth(*emptyU_, *emptyp_);
@@ -338,7 +338,7 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
         );
 
         power +=
-            system.plane().thickness()
+            system.plane().sector()
            *curve.integral
             (
                 (m.viscosity()/mu_ - 1)*dot(U, traction)

@@ -89,7 +89,7 @@ void Foam::functionObjects::membraneMeasures::writeLine
     const vectorField U(system.plane().toVectors(m.now().velocity));
     const vectorField F
     (
-        system.plane().toVectors(m.force(curve, curve.metric()))
+        system.plane().toVectors(m.force(curve, curve.areaElement()))
     );
     const capsule::nodalScalars stretch = m.stretch(curve);
     const capsule::nodalScalars tension = m.tension(curve);

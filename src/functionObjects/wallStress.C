@@ -13,7 +13,6 @@ License
 #include "input.H"
 #include "volFields.H"
 #include "wallPolyPatch.H"
-#include "emptyPolyPatch.H"
 #include "wordRes.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -87,7 +86,7 @@ bool Foam::functionObjects::wallStress::read(const dictionary& dict)
             if
             (
                 names.match(pp.name())
-             && !pp.coupled() && !isA<emptyPolyPatch>(pp)
+             && !pp.coupled() && capsule::solvedDirections::cutsPlane(pp)
             )
             {
                 found.append(patchi);
@@ -129,7 +128,7 @@ bool Foam::functionObjects::wallStress::write()
     const auto& system =
         mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
     const auto& p = mesh_.lookupObject<volScalarField>("p");
-    const scalar thickness = system.plane().thickness();
+    const scalar sector = system.plane().sector();
     const volTensorField gradient(system.velocityGradient());
     const volScalarField viscosity(system.viscosity());
 
@@ -158,9 +157,9 @@ bool Foam::functionObjects::wallStress::write()
         const scalar largest = gMax(size);
         const vector pressure
         (
-            gSum(p.boundaryField()[patchi]*patch.Sf())/thickness
+            gSum(p.boundaryField()[patchi]*patch.Sf())/sector
         );
-        const vector viscous(gSum(traction*patch.magSf())/thickness);
+        const vector viscous(gSum(traction*patch.magSf())/sector);
 
         if (Pstream::master())
         {

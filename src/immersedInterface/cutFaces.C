@@ -11,12 +11,41 @@ License
 #include "cutFaces.H"
 #include "releases.H"
 #include "hexMatcher.H"
+#include "prismMatcher.H"
+#include "wedgePolyPatch.H"
 #include "bitSet.H"
 #include "StringStream.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 const Foam::scalar Foam::capsule::cutFaces::longest = 3;
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+
+//- Is a cell a prism at the axis of a wedge, a hexahedron with one side of no
+//  width?
+static bool atAxis(const fvMesh& mesh, const label celli)
+{
+    label nWedge = 0;
+    for (const label facei : mesh.cells()[celli])
+    {
+        if (!mesh.isInternalFace(facei))
+        {
+            const polyBoundaryMesh& patches = mesh.boundaryMesh();
+            nWedge += isA<wedgePolyPatch>(patches[patches.whichPatch(facei)]);
+        }
+    }
+    return nWedge == 2 && prismMatcher().isA(mesh, celli);
+}
+
+} // End namespace capsule
+} // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -58,30 +87,6 @@ void Foam::capsule::cutFaces::checkCells() const
             }
         }
     }
-}
-
-
-Foam::Pair<Foam::capsule::vector2> Foam::capsule::cutFaces::ends
-(
-    const label facei
-) const
-{
-    const fvMesh& mesh = levelSet_.mesh();
-    const solvedDirections& plane = levelSet_.plane();
-    const face& f = mesh.faces()[facei];
-
-    // The other end is the point of the face furthest from the first
-    const vector2 a = plane(mesh.points()[f[0]]);
-    vector2 b = a;
-    for (const label pointi : f)
-    {
-        const vector2 c = plane(mesh.points()[pointi]);
-        if ((c - a).norm() > (b - a).norm())
-        {
-            b = c;
-        }
-    }
-    return Pair<vector2>(a, b);
 }
 
 
@@ -127,7 +132,8 @@ void Foam::capsule::cutFaces::addFarSidePart
     const vector2& centre,
     const vector2& end,
     const scalar atCentre,
-    const scalar side
+    const scalar side,
+    const scalar area
 )
 {
     scalar alpha;
@@ -146,16 +152,18 @@ void Foam::capsule::cutFaces::addFarSidePart
         (endFar ? from : to) = crossing(centre, end, atCentre, atEnd);
     }
 
-    // Two-point Gauss rule; a half face has half of the face's weight
+    // Two-point Gauss rule, over the thickness of the mesh
+    const scalar length = 0.5*(to - from)*(end - centre).norm();
     for (const scalar gauss : {-1/Foam::sqrt(3.0), 1/Foam::sqrt(3.0)})
     {
         const scalar xi = 0.5*(from + to + gauss*(to - from));
-        farSideDepths_.append
-        (
-            levelSet_.signedDistance(centre + xi*(end - centre), alpha)
-        );
+        const vector2 x = centre + xi*(end - centre);
+        farSideDepths_.append(levelSet_.signedDistance(x, alpha));
         farSideAlphas_.append(alpha);
-        farSideParts_.append({facei, -0.25*(to - from)*side});
+        farSideParts_.append
+        ({
+            facei, -length*levelSet_.plane().thickness(x)/area*side
+        });
     }
 }
 
@@ -200,10 +208,16 @@ void Foam::capsule::cutFaces::add
     }
 
     // From the centre to each end at most one crossing is looked for
-    const Pair<vector2> ends(this->ends(facei));
+    const Pair<vector2> ends
+    (
+        levelSet_.plane().ends(mesh.points(), mesh.faces()[facei])
+    );
     for (const vector2& end : ends)
     {
-        addFarSidePart(facei, centre, end, atCentre, side);
+        addFarSidePart
+        (
+            facei, centre, end, atCentre, side, mag(mesh.faceAreas()[facei])
+        );
     }
 }
 
@@ -296,12 +310,26 @@ Foam::string Foam::capsule::cutFaces::refusal
     const label celli
 )
 {
-    if (!hexMatcher().isA(mesh, celli))
+    if (!hexMatcher().isA(mesh, celli) && !atAxis(mesh, celli))
     {
         return "is not a hexahedron";
     }
     for (const label facei : mesh.cells()[celli])
     {
+        if (!mesh.isInternalFace(facei))
+        {
+            const polyBoundaryMesh& patches = mesh.boundaryMesh();
+            if
+            (
+                !solvedDirections::cutsPlane
+                (
+                    patches[patches.whichPatch(facei)]
+                )
+            )
+            {
+                continue;
+            }
+        }
         const vector s = normalised(mesh.faceAreas()[facei]);
         const vector d =
             normalised(mesh.faceCentres()[facei] - mesh.cellCentres()[celli]);

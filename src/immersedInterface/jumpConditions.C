@@ -76,16 +76,17 @@ Foam::capsule::jumpConditions::jumpConditions
     };
 
     const nodalScalars b = -dot(f, t)/mu;
-    const nodalScalars b1 = curve.ds(b);
+    const nodalScalars b1 = curve.divergence(b);
 
     const nodalScalars p0 = dot(f, n);
     const nodalScalars p0s = curve.ds(p0);
     const nodalScalars p1 = -mu*b1 - dot(m, n);
-    const nodalScalars p2 = c - curve.ds(p0s) - times(kappa, p1);
+    const nodalScalars H = curve.totalCurvature();
+    const nodalScalars p2 = c - curve.divergence(p0s) - times(H, p1);
 
     terms_.middleCols<2>(U1) = scaled(b, t);
     terms_.middleCols<2>(U2) =
-        scaled(-b1, n) + scaled((p0s + dot(m, t))/mu - times(kappa, b), t);
+        scaled(-b1, n) + scaled((p0s + dot(m, t))/mu - times(H, b), t);
     terms_.col(P0) = p0;
     terms_.col(P1) = p1;
     terms_.col(P2) = p2;

@@ -162,23 +162,64 @@ Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::fit
     const nodalMatrix values = gather(local);
 
     const label n = stencils_.size();
-    fitted result;
-    result.value.resize(n, components);
-    result.gradient[0].resize(n, components);
-    result.gradient[1].resize(n, components);
-
+    nodalMatrix found[3];
+    for (nodalMatrix& m : found)
+    {
+        m.resize(n, components);
+    }
     forAll(stencils_, node)
     {
         const labelList& stencil = stencils_[node];
         nodalMatrix f(stencil.size(), components);
         forAll(stencil, i)
         {
-            f.row(i) = values.row(stencil[i]);
+            const label celli = stencil[i] % values.rows();
+            f.row(i) = values.row(celli);
+            if (celli != stencil[i])
+            {
+                // Beyond the axis
+                f(i, 1) = -f(i, 1);
+            }
         }
         const nodalMatrix fit = rows_[node]*f;
-        result.value.row(node) = fit.row(0);
-        result.gradient[0].row(node) = fit.row(1);
-        result.gradient[1].row(node) = fit.row(2);
+        for (label k = 0; k < 3; ++k)
+        {
+            found[k].row(node) = fit.row(k);
+        }
+    }
+    return extended(found);
+}
+
+
+Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::extended
+(
+    const nodalMatrix (&found)[3]
+) const
+{
+    const closedSurface& curve = interface_.levelSet().curve();
+    const label components = found[0].cols();
+    const auto all = [&](const label k)
+    {
+        // Odd beyond an axis: the component away from it, and derivatives
+        // in its direction
+        nodalMatrix result(curve.size(), components);
+        for (label i = 0; i < components; ++i)
+        {
+            result.col(i) =
+                curve.basis().extended(found[k].col(i), (i == 1) == (k == 2));
+        }
+        return result;
+    };
+
+    fitted result;
+    result.value = all(0);
+    result.gradient[0] = all(1);
+    result.gradient[1] = all(2);
+    result.divergence = result.gradient[0].col(0) + result.gradient[1].col(1);
+    if (curve.axisymmetric())
+    {
+        result.hoopRate = result.value.col(1).cwiseQuotient(curve.around());
+        result.divergence += result.hoopRate;
     }
     return result;
 }
@@ -204,7 +245,8 @@ Foam::capsule::oneSidedFit::oneSidedFit
     sizes_[Pstream::myProcNo()] = cells.size();
     allGatherList(sizes_);
 
-    // Centre, distance, size: tensor and direction
+    // Centre, distance, size: tensor and direction. Beyond an axis are the
+    // mirror images of the cells, numbered after them
     const cellSearch& search = cellSearch::New(levelSet.mesh());
     nodalMatrix local(cells.size(), 9);
     forAll(cells, i)
@@ -217,11 +259,27 @@ Foam::capsule::oneSidedFit::oneSidedFit
             tensor.row(0), tensor.row(1),
             size.direction;
     }
-    const nodalMatrix all = gather(local);
+    nodalMatrix all = gather(local);
+    if (curve.axisymmetric())
+    {
+        const label n = all.rows();
+        all.conservativeResize(2*n, all.cols());
+        all.bottomRows(n) = all.topRows(n);
+        for (label i = n; i < 2*n; ++i)
+        {
+            all.row(i).head<2>() =
+                levelSet.plane().mirrored(all.row(i).head<2>());
+        }
+        for (const label odd : {4, 5, 8})
+        {
+            all.col(odd).tail(n) *= -1;
+        }
+    }
 
-    stencils_.setSize(curve.size());
-    rows_.setSize(curve.size());
-    for (label node = 0; node < curve.size(); ++node)
+    const label n = curve.basis().nPacked();
+    stencils_.setSize(n);
+    rows_.setSize(n);
+    for (label node = 0; node < n; ++node)
     {
         const vector2 x = curve.nodes().row(node);
 
@@ -346,7 +404,7 @@ Foam::capsule::nodalScalars Foam::capsule::oneSidedFit::fitted::pressure
     // the fluxes, which jumps at the membrane: a layer of divergence s in the
     // cut cells, of first order, and in it a pressure of mu s too much. So the
     // divergence that the fit sees is taken off the pressure.
-    return value.col(2) + mu*(gradient[0].col(0) + gradient[1].col(1));
+    return value.col(2) + mu*divergence;
 }
 
 

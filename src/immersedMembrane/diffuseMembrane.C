@@ -116,7 +116,14 @@ Foam::capsule::diffuseMembrane::diffuseMembrane
 )
 :
     immersedMembrane(name, dict, plane, mesh, density, viscosity)
-{}
+{
+    if (plane.axisymmetric())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry interface of coupling is diffuse, which is for plane"
+            << " meshes only; permitted in a wedge: sharp" << exit(FatalIOError);
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -151,7 +158,7 @@ void Foam::capsule::diffuseMembrane::start(const volVectorField& U)
 
 void Foam::capsule::diffuseMembrane::predict(const couplingMethod& method)
 {
-    const label n = 2*membrane_.size();
+    const label n = nForce();
     const closedSurface predictedCurve(predictedSurface());
     extrapolateState(predictedCurve.nodes());
     place(predictedCurve.nodes());
@@ -166,7 +173,7 @@ void Foam::capsule::diffuseMembrane::predict(const couplingMethod& method)
     setResponse(predictedCurve, method, nodalMatrix::Identity(n, n), response);
     if (!method.implicitStress())
     {
-        membrane_.now().force = membrane_.force(predictedCurve, curve().metric());
+        membrane_.now().force = membrane_.force(predictedCurve, curve().areaElement());
     }
 }
 
@@ -219,16 +226,18 @@ void Foam::capsule::diffuseMembrane::addSources
     const volScalarField&
 )
 {
-    const scalar spacing = constant::mathematical::twoPi/membrane_.size();
     const nodalVectors spread =
         delta_.transpose()
-       *scaled(spacing*curve().metric(), membrane_.now().force);
+       *scaled
+        (
+            basis().spacing()*curve().areaElement(), membrane_.now().force
+        );
 
     forAll(levelSet_->cells(), i)
     {
         const label celli = levelSet_->cells()[i];
         sources.momentum[celli] +=
             plane_.toVector(spread.row(i))
-           *(plane_.thickness()/mesh_.V()[celli]);
+           *(plane_.sector()/mesh_.V()[celli]);
     }
 }

@@ -104,9 +104,10 @@ Foam::scalar Foam::capsule::immersedMembrane::forceNoise
     {
         x.row(i).array() += (i % 2 ? -height : height);
     }
+    x = basis().symmetric(x);
     const nodalVectors change =
-        membrane_.force(closedSurface(membrane_.basis(), x), curve.metric())
-      - membrane_.force(curve, curve.metric());
+        membrane_.force(closedSurface(membrane_.basis(), x), curve.areaElement())
+      - membrane_.force(curve, curve.areaElement());
 
     return SMALL*curve.nodes().cwiseAbs().maxCoeff()/height*rms(change);
 }
@@ -133,7 +134,7 @@ void Foam::capsule::immersedMembrane::setResponse
         )
     );
     implicit_ = method.implicitStress();
-    explicitForce_ = membrane_.force(predictedCurve, curve().metric());
+    explicitForce_ = membrane_.force(predictedCurve, curve().areaElement());
     forceNoise_ = forceNoise(predictedCurve);
     fluidJacobian_ = fluidJacobian;
     mobility_ = mobility;
@@ -255,13 +256,13 @@ void Foam::capsule::immersedMembrane::restore()
 
 Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::unknowns() const
 {
-    return stacked(membrane_.now().force);
+    return basis().pack(membrane_.now().force);
 }
 
 
 void Foam::capsule::immersedMembrane::setUnknowns(const nodalScalars& x)
 {
-    membrane_.now().force = unstacked(x.head(2*membrane_.size()));
+    membrane_.now().force = basis().unpack(x.head(nForce()));
 }
 
 
@@ -273,7 +274,7 @@ Foam::capsule::immersedMembrane::correct
     const vector2& driving
 )
 {
-    const label n = membrane_.size();
+    const label n = nForce();
     membrane::state& now = membrane_.now();
 
     const nodalVectors fluid = velocity(U, p);
@@ -283,11 +284,11 @@ Foam::capsule::immersedMembrane::correct
     const nodalVectors contrast = contrastTraction(driving);
     const nodalVectors rest = contrast - now.force;
     const nodalScalars other = inertiaResidual();
-    fluidResponse_.resize(4*n + other.size());
-    fluidResponse_ << stacked(fluid), stacked(rest), other;
+    fluidResponse_.resize(2*n + other.size());
+    fluidResponse_ << basis().pack(fluid), basis().pack(rest), other;
 
     const nodalScalars left = residual(fluidResponse_);
-    const nodalVectors F = unstacked(left.head(2*n)) - rest;
+    const nodalVectors F = basis().unpack(left.head(n)) - rest;
     const scalar size =
         rms(F) + 0.5*(1 + ratio_)*mu_*rms(curve().ds(now.velocity)) + VSMALL;
     const nodalScalars change = correction(left);
@@ -297,8 +298,9 @@ Foam::capsule::immersedMembrane::correct
         10*forceNoise_ + 100*SMALL*(rms(now.force) + rms(contrast) + shear);
 
     imbalance result;
-    result.stress = max(rms(unstacked(change)) - noise, scalar(0))/size;
-    result.displacement = cells(mobility_*change.head(2*n));
+    const scalar rmsChange = change.norm()/Foam::sqrt(0.5*change.size());
+    result.stress = max(rmsChange - noise, scalar(0))/size;
+    result.displacement = cells(mobility_*change.head(n));
     return result;
 }
 

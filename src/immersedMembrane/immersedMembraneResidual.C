@@ -23,7 +23,7 @@ Foam::capsule::closedSurface Foam::capsule::immersedMembrane::movedSurface
 
 Foam::scalar Foam::capsule::immersedMembrane::cells(const nodalScalars& U) const
 {
-    const nodalVectors d = unstacked(motion_->displacements(U));
+    const nodalVectors d = basis().unpack(motion_->displacements(U));
 
     return d.rowwise().norm().maxCoeff()/levelSet().width();
 }
@@ -35,12 +35,14 @@ void Foam::capsule::immersedMembrane::linearise
     const bool fullTangent
 )
 {
-    // Forces are per length of the step's interface
-    const nodalScalars length =
-        at.metric().cwiseQuotient(curve().metric()).replicate(2, 1);
-
-    forceJacobian_ = length.asDiagonal()*membrane_.forceJacobian(at, fullTangent);
-    motion_->restoreArea(at, forceJacobian_);
+    // Forces are per area of the step's interface
+    const nodalScalars area =
+        at.areaElement().cwiseQuotient(curve().areaElement())
+       .head(basis().nPacked()).replicate(2, 1);
+    forceJacobian_ =
+        area.asDiagonal()
+       *basis().reduced(membrane_.forceJacobian(at, fullTangent));
+    motion_->restoreVolume(at, forceJacobian_);
     derivative_.compute(fluidJacobian_ - forceJacobian_*displacementResponse_);
 }
 
@@ -52,13 +54,16 @@ Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::residual
     const nodalScalars& y
 ) const
 {
-    const label n = 2*membrane_.size();
+    const label n = nForce();
 
     nodalScalars result = y.tail(y.size() - n);
-    result.head(n) += stacked
+    result.head(n) += basis().pack
     (
         implicit_
-      ? membrane_.force(movedSurface(unstacked(y.head(n))), curve().metric())
+      ? membrane_.force
+        (
+            movedSurface(basis().unpack(y.head(n))), curve().areaElement()
+        )
       : explicitForce_
     );
     return result;
@@ -73,7 +78,7 @@ void Foam::capsule::immersedMembrane::linearise
 {
     if (implicit_)
     {
-        linearise(movedSurface(unstacked(y.head(2*membrane_.size()))), fullTangent);
+        linearise(movedSurface(basis().unpack(y.head(nForce()))), fullTangent);
     }
 }
 
@@ -83,7 +88,7 @@ Foam::scalar Foam::capsule::immersedMembrane::maxStepLength
     const nodalScalars& dy
 ) const
 {
-    return maxMove_/max(maxMove_, cells(dy.head(2*membrane_.size())));
+    return maxMove_/max(maxMove_, cells(dy.head(nForce())));
 }
 
 
@@ -92,7 +97,7 @@ Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::residualChange
     const nodalMatrix& dy
 ) const
 {
-    const label n = 2*membrane_.size();
+    const label n = nForce();
 
     nodalMatrix result = dy.bottomRows(dy.rows() - n);
     if (implicit_)
@@ -108,7 +113,7 @@ Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::correction
     const nodalMatrix& residual
 ) const
 {
-    const label n = 2*membrane_.size();
+    const label n = nForce();
     const label others = residual.rows() - n;
 
     nodalMatrix result(residual.rows(), residual.cols());
@@ -127,7 +132,7 @@ Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::responseChange
     const nodalScalars& dx
 ) const
 {
-    const nodalScalars df = dx.head(2*membrane_.size());
+    const nodalScalars df = dx.head(nForce());
     const nodalScalars other = inertiaResidualChange(dx);
 
     nodalScalars result(2*df.size() + other.size());

@@ -15,14 +15,15 @@ const Foam::scalar Foam::capsule::membraneMotion::waves = 3;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::capsule::nodalMatrix Foam::capsule::membraneMotion::areaDerivative
+Foam::capsule::nodalMatrix Foam::capsule::membraneMotion::volumeDerivative
 (
     const closedSurface& curve
 )
 {
-    return
-        curve.basis().spacing()
-       *stacked(scaled(curve.metric(), curve.normal())).transpose();
+    // Of all nodes, in the unknowns of those that count
+    const surfaceBasis& basis = curve.basis();
+    const scalar images = scalar(basis.size())/basis.nPacked();
+    return images*basis.pack(curve.volumeDerivative()).transpose();
 }
 
 
@@ -31,7 +32,7 @@ Foam::capsule::nodalScalars Foam::capsule::membraneMotion::shift
     const closedSurface& curve
 )
 {
-    return stacked(curve.normal())/curve.perimeter();
+    return curve.basis().pack(curve.normal())/curve.surface();
 }
 
 
@@ -44,13 +45,13 @@ Foam::capsule::membraneMotion::membraneMotion
     const closedSurface& predicted,
     const nodalMatrix& filter,
     const timeScheme& scheme,
-    const bool conserveArea
+    const bool conserveVolume
 )
 :
     body_(body),
     interface_(interface),
     scheme_(scheme),
-    conserveArea_(conserveArea),
+    conserveVolume_(conserveVolume),
     filter_(filter),
     excess_(excess(body, predicted, body.old(0).velocity, 0.25*scheme.c))
 {
@@ -110,11 +111,11 @@ Foam::capsule::nodalVectors Foam::capsule::membraneMotion::velocity
 ) const
 {
     nodalVectors result = filter_*U;
-    if (conserveArea_)
+    if (conserveVolume_)
     {
         const scalar flux =
             interface_.integral(dot(result, interface_.normal()));
-        result -= flux/interface_.perimeter()*interface_.normal();
+        result -= flux/interface_.surface()*interface_.normal();
     }
     return result;
 }
@@ -136,14 +137,14 @@ Foam::capsule::nodalVectors Foam::capsule::membraneMotion::points
     }
     x /= scheme_.c;
 
-    if (conserveArea_)
+    if (conserveVolume_)
     {
         const closedSurface curve(body_.basis(), x);
         x +=
-            (body_.referenceArea() - curve.area())/curve.perimeter()
+            (body_.referenceVolume() - curve.volume())/curve.surface()
            *curve.normal();
     }
-    return x;
+    return body_.basis().symmetric(x);
 }
 
 
@@ -152,26 +153,30 @@ Foam::capsule::nodalMatrix Foam::capsule::membraneMotion::displacements
     const nodalMatrix& U
 ) const
 {
-    const label n = body_.size();
-
+    const surfaceBasis& basis = body_.basis();
+    const label n = basis.nPacked();
     nodalMatrix result(2*n, U.cols());
-    result << filter_*U.topRows(n), filter_*U.bottomRows(n);
-    if (conserveArea_)
+    for (label i = 0; i < 2; ++i)
     {
-        result -= shift(interface_)*(areaDerivative(interface_)*result);
+        result.middleRows(i*n, n) =
+            basis.reduced(filter_, i)*U.middleRows(i*n, n);
+    }
+    if (conserveVolume_)
+    {
+        result -= shift(interface_)*(volumeDerivative(interface_)*result);
     }
     return result/scheme_.c;
 }
 
 
-void Foam::capsule::membraneMotion::restoreArea
+void Foam::capsule::membraneMotion::restoreVolume
 (
     const closedSurface& at,
     nodalMatrix& derivative
 ) const
 {
-    if (conserveArea_)
+    if (conserveVolume_)
     {
-        derivative -= (derivative*shift(at))*areaDerivative(at);
+        derivative -= (derivative*shift(at))*volumeDerivative(at);
     }
 }

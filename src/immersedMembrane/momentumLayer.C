@@ -75,11 +75,11 @@ Foam::scalar Foam::capsule::momentumLayer::thickness
     const nodalVectors slope = curve.ds(body.now().velocity);
     const nodalScalars along = dot(slope, curve.tangent());
     nodalScalars turning = dot(slope, curve.normal());
-    turning.array() -= curve.integral(turning)/curve.perimeter();
+    turning.array() -= curve.integral(turning)/curve.surface();
     scalar omega = std::sqrt
     (
         curve.integral(along.cwiseAbs2() + turning.cwiseAbs2())
-       /curve.perimeter()
+       /curve.surface()
     );
 
     const scalar inTime = rate();

@@ -71,7 +71,7 @@ Foam::capsule::sharpMembrane::resolvedForce() const
 Foam::capsule::nodalScalars
 Foam::capsule::sharpMembrane::unresolvedForce() const
 {
-    return stacked(membrane_.now().force - resolvedForce());
+    return basis().pack(membrane_.now().force - resolvedForce());
 }
 
 
@@ -110,7 +110,7 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::velocity
 
     return
         fluid_.value.leftCols(2)
-      + unstacked(mobility()*unresolvedForce());
+      + basis().unpack(mobility()*unresolvedForce());
 }
 
 
@@ -229,7 +229,7 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::unknowns() const
         return f;
     }
     nodalScalars result(2*f.size());
-    result << f, levelSet().width()*stacked(membrane_.now().inertia);
+    result << f, levelSet().width()*basis().pack(membrane_.now().inertia);
     return result;
 }
 
@@ -240,7 +240,7 @@ void Foam::capsule::sharpMembrane::setUnknowns(const nodalScalars& x)
     if (inertial())
     {
         membrane_.now().inertia =
-            unstacked(x.tail(2*membrane_.size())/levelSet().width());
+            basis().unpack(x.tail(nForce())/levelSet().width());
     }
 }
 
@@ -296,10 +296,11 @@ void Foam::capsule::sharpMembrane::addSources
         // Momentum is conserved only to the order of the jumps: what is
         // missing of the membrane's resultant would show as noise of the
         // pressure drop
-        const vector resultant = plane_.thickness()*plane_.toVector
+        const vector resultant =
+            plane_.sector()*plane_.toVector(curve().resultant(f));
+        interface_->addForce
         (
-            vector2(curve().integral(f.col(0)), curve().integral(f.col(1)))
+            resultant - plane_.conserved(found), sources.momentum
         );
-        interface_->addForce(resultant - found, sources.momentum);
     }
 }

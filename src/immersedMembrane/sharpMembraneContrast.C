@@ -18,7 +18,7 @@ Foam::capsule::nodalMatrix Foam::capsule::sharpMembrane::fluidDerivative
     const couplingMethod& method
 )
 {
-    const label n = membrane_.size();
+    const label n = basis().nPacked();
     nodalMatrix derivative = nodalMatrix::Identity(2*n, 2*n);
 
     if (ratio_ != 1)
@@ -32,8 +32,8 @@ Foam::capsule::nodalMatrix Foam::capsule::sharpMembrane::fluidDerivative
         derivative -= (1 - ratio_)*traction_;
 
         // The normal traction is a pressure
-        const nodalScalars nx = curve().normal().col(0);
-        const nodalScalars ny = curve().normal().col(1);
+        const nodalScalars nx = curve().normal().col(0).head(n);
+        const nodalScalars ny = curve().normal().col(1).head(n);
         const nodalMatrix normal =
             (1 - ratio_)*(1 - pressureWeight())
            *(
@@ -74,23 +74,24 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastTraction
         viscous += scaled(dot(f, t), t);
         vorticity += dot(f, t);
     }
-    const nodalVectors shortWaves = unstacked(traction_*unresolvedForce());
+    const nodalVectors shortWaves = basis().unpack(traction_*unresolvedForce());
     pressure -= dot(shortWaves, n);
     viscous += scaled(dot(shortWaves, t), t);
 
     // The resultant is known; pressure a.n with the constant a fills it
     const nodalVectors traction = ratio_*viscous - scaled(pressure/scale_, n);
-    const auto integral = [&](const nodalVectors& v)
-    {
-        return vector2(curve().integral(v.col(0)), curve().integral(v.col(1)));
-    };
     Eigen::Matrix<scalar, 2, 2> normals;
-    normals.row(0) = integral(scaled(n.col(0), n));
-    normals.row(1) = integral(scaled(n.col(1), n));
+    normals.row(0) = curve().resultant(scaled(n.col(0), n));
+    normals.row(1) = curve().resultant(scaled(n.col(1), n));
+    if (curve().axisymmetric())
+    {
+        // None away from the axis
+        normals(1, 1) = 1;
+    }
     const vector2 a =
-        (integral(traction) - momentumRate())*normals.inverse();
+        (curve().resultant(traction) - momentumRate())*normals.inverse();
     pressure += scale_*n*a.transpose();
-    if (ratio_ > 1 && !inertial())
+    if (ratio_ > 1 && !inertial() && !curve().axisymmetric())
     {
         // So is the moment about the centroid, which the rate of momentum does
         // not change; shear along the membrane fills it

@@ -102,7 +102,7 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::inertia() const
     const nodalScalars vorticity = now.inner.col(0);
     const nodalScalars pressure = now.inner.col(1);
     const nodalScalars normal =
-        (1 - viscousScale_)*curve().ds(vorticity)
+        (1 - viscousScale_)*curve().divergence(vorticity)
       + (1 - scale_)*dot(force, curve().normal());
     nodalScalars tangential =
         (scale_ - 1/ratio_)*curve().ds(pressure)
@@ -135,9 +135,13 @@ Foam::capsule::sharpMembrane::pressureLaplacian() const
     const nodalScalars b = -dot(resolvedForce(), curve().tangent())/mu_;
     const nodalVectors along = curve().ds(membrane_.now().velocity);
     const nodalScalars jump = 2*times(b, dot(along, curve().normal()));
-    const nodalScalars fitted =
+    nodalScalars fitted =
         times(x.col(0), x.col(0)) + times(y.col(1), y.col(1))
       + 2*times(x.col(1), y.col(0));
+    if (curve().axisymmetric())
+    {
+        fitted += fluid_.hoopRate.cwiseAbs2();
+    }
 
     const nodalScalars inside =
         fitSide() > 0 ? nodalScalars(fitted - jump) : fitted;
@@ -156,13 +160,13 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::relaxedForce
     const nodalScalars& df
 ) const
 {
-    const nodalVectors f = resolved(curve(), resolving_, unstacked(df));
+    const nodalVectors f = resolved(curve(), resolving_, basis().unpack(df));
     const nodalScalars along =
         resolving_*curve().ds(dot(f, curve().normal()));
 
     return
         levelSet().width()*(1 - relaxation())
-       *stacked(scaled(along, curve().tangent()));
+       *basis().pack(scaled(along, curve().tangent()));
 }
 
 
@@ -170,18 +174,9 @@ Foam::capsule::vector2 Foam::capsule::sharpMembrane::momentumRate() const
 {
     const timeScheme scheme(mesh_, "ddt(U)", membrane_.nOld());
 
-    // Integral of the velocity over the area, by the divergence theorem; about
-    // the centroid, so that it is the same wherever the membrane is
     const auto flow = [&](const membrane::state& s)
     {
-        const closedSurface curve(membrane_.basis(), s.x);
-        const nodalScalars un = dot(s.velocity, curve.normal());
-        const nodalVectors x = s.x.rowwise() - curve.centroid();
-        return vector2
-        (
-            curve.integral(x.col(0).cwiseProduct(un)),
-            curve.integral(x.col(1).cwiseProduct(un))
-        );
+        return closedSurface(basis(), s.x).flow(s.velocity);
     };
 
     vector2 rate = vector2::Zero();
@@ -205,7 +200,7 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::inertiaResidual() cons
     {
         return nodalScalars(0);
     }
-    return levelSet().width()*stacked(inertia() - membrane_.now().inertia);
+    return levelSet().width()*basis().pack(inertia() - membrane_.now().inertia);
 }
 
 

@@ -92,8 +92,8 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
 
     const nodalVectors corners = curve.sampled(samples_.size());
     treeBoundBox bounds(samples_);
-    bounds.min() -= vector::uniform(plane.thickness());
-    bounds.max() += vector::uniform(plane.thickness());
+    bounds.min() -= vector::uniform(0.1*curve.perimeter());
+    bounds.max() += vector::uniform(0.1*curve.perimeter());
     tree_.reset
     (
         new indexedOctree<treeDataPoint>

@@ -10,8 +10,6 @@ License
 
 #include "cellSearch.H"
 #include "solvedDirections.H"
-#include "emptyPolyPatch.H"
-#include "wedgePolyPatch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -31,39 +29,6 @@ static pointField middles(const fvMesh& mesh, const solvedDirections& plane)
 }
 
 
-//- Is a face a line in the plane? Those of empty and wedge patches
-//  are not
-static bool inPlane(const fvMesh& mesh, const label facei)
-{
-    if (mesh.isInternalFace(facei))
-    {
-        return true;
-    }
-    const polyPatch& pp =
-        mesh.boundaryMesh()[mesh.boundaryMesh().whichPatch(facei)];
-    return !isA<emptyPolyPatch>(pp) && !isA<wedgePolyPatch>(pp);
-}
-
-
-//- Length of a face that is a line in the plane
-static scalar lengthOf
-(
-    const fvMesh& mesh,
-    const solvedDirections& plane,
-    const label facei
-)
-{
-    scalar length = 0;
-    const face& f = mesh.faces()[facei];
-    const vector2 first = plane(mesh.points()[f[0]]);
-    for (const label pointi : f)
-    {
-        length = max(length, (plane(mesh.points()[pointi]) - first).norm());
-    }
-    return length;
-}
-
-
 //- Size of a cell along the normal of its longest face, and across
 static cellSearch::size sizeOf
 (
@@ -76,7 +41,22 @@ static cellSearch::size sizeOf
     scalar longest = 0;
     for (const label facei : mesh.cells()[celli])
     {
-        const scalar length = inPlane(mesh, facei) ? lengthOf(mesh, plane, facei) : 0;
+        if
+        (
+            !mesh.isInternalFace(facei)
+         && !solvedDirections::cutsPlane
+            (
+                mesh.boundaryMesh()[mesh.boundaryMesh().whichPatch(facei)]
+            )
+        )
+        {
+            continue;
+        }
+        const Pair<vector2> ends
+        (
+            plane.ends(mesh.points(), mesh.faces()[facei])
+        );
+        const scalar length = (ends.second() - ends.first()).norm();
         if (length > (1 + 1e-6)*longest)
         {
             longest = length;

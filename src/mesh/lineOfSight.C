@@ -10,7 +10,6 @@ License
 
 #include "lineOfSight.H"
 #include "releases.H"
-#include "emptyPolyPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -32,29 +31,24 @@ Foam::capsule::lineOfSight::lineOfSight(const fvMesh& mesh)
 {
     const solvedDirections plane(mesh);
 
-    // First end and the vector to the second, which is the point of the face
-    // furthest from it
+    // Both ends of each, and of its mirror image beyond an axis
     DynamicList<vector> mine;
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
-        if (pp.coupled() || isA<emptyPolyPatch>(pp))
+        if (pp.coupled() || !solvedDirections::cutsPlane(pp))
         {
             continue;
         }
         for (const face& f : pp)
         {
-            const vector2 a = plane(mesh.points()[f[0]]);
-            vector2 b = a;
-            for (const label pointi : f)
+            const Pair<vector2> ends(plane.ends(mesh.points(), f));
+            mine.append(plane.toPoint(ends.first()));
+            mine.append(plane.toPoint(ends.second()));
+            if (plane.axisymmetric())
             {
-                const vector2 c = plane(mesh.points()[pointi]);
-                if ((c - a).norm() > (b - a).norm())
-                {
-                    b = c;
-                }
+                mine.append(plane.toPoint(plane.mirrored(ends.first())));
+                mine.append(plane.toPoint(plane.mirrored(ends.second())));
             }
-            mine.append(plane.toPoint(a));
-            mine.append(plane.toPoint(b));
         }
     }
     List<List<vector>> all(Pstream::nProcs());
@@ -76,6 +70,7 @@ Foam::capsule::lineOfSight::lineOfSight(const fvMesh& mesh)
     middles_.transfer(middles);
 
     treeBoundBox bounds(mesh.bounds());
+    bounds.add(middles_);
     bounds.inflate(0.01);
     tree_.reset
     (

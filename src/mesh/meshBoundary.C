@@ -12,7 +12,6 @@ License
 #include "bitSet.H"
 #include "releases.H"
 #include "segments.H"
-#include "emptyPolyPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -22,35 +21,20 @@ namespace capsule
 {
     defineTypeNameAndDebug(meshBoundary, 0);
 
-    //- The side of a face: its two points that are farthest apart in the plane
-    static meshBoundary::side sideOf
+    //- The side of a face with ends in the plane
+    static meshBoundary::side sideBetween
     (
-        const pointField& points,
-        const face& f,
-        const solvedDirections& plane
+        const vector2& a,
+        const vector2& b,
+        const scalar width,
+        const label patchi
     )
     {
-        const auto farthest = [&](const vector2& from)
-        {
-            vector2 result = from;
-            for (const label pointi : f)
-            {
-                const vector2 x = plane(points[pointi]);
-                if ((x - from).norm() > (result - from).norm())
-                {
-                    result = x;
-                }
-            }
-            return result;
-        };
-        meshBoundary::side s;
-        s.a = farthest(plane(points[f[0]]));
-        s.b = farthest(s.a);
-        if (s.b(1) < s.a(1))
-        {
-            std::swap(s.a, s.b);
-        }
-        return s;
+        // Alike, from whichever cell or processor it is seen
+        return
+            b(1) < a(1)
+          ? meshBoundary::side{b, a, width, patchi}
+          : meshBoundary::side{a, b, width, patchi};
     }
 
     //- Middle of the box around points
@@ -126,17 +110,30 @@ Foam::capsule::meshBoundary::meshBoundary(const fvMesh& mesh)
 {
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
-        if (isA<emptyPolyPatch>(pp))
+        if (!solvedDirections::cutsPlane(pp))
         {
             continue;
         }
+        DynamicList<side>& sides = pp.coupled() ? coupled_ : walls_;
         forAll(pp, i)
         {
-            side s = sideOf(mesh.points(), pp[i], plane_);
-            s.width =
+            const Pair<vector2> ends(plane_.ends(mesh.points(), pp[i]));
+            const vector2& a = ends.first();
+            const vector2& b = ends.second();
+            const scalar width =
                 mesh.cellVolumes()[pp.faceCells()[i]]/mag(pp.faceAreas()[i]);
-            s.patch = pp.index();
-            (pp.coupled() ? coupled_ : walls_).append(s);
+            sides.append(sideBetween(a, b, width, pp.index()));
+            if (plane_.axisymmetric())
+            {
+                sides.append
+                (
+                    sideBetween
+                    (
+                        plane_.mirrored(a), plane_.mirrored(b), width,
+                        pp.index()
+                    )
+                );
+            }
         }
     }
 }

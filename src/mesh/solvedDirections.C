@@ -201,6 +201,33 @@ Foam::tmp<Foam::scalarField> Foam::capsule::solvedDirections::widths
 }
 
 
+bool Foam::capsule::solvedDirections::cutsPlane(const polyPatch& pp)
+{
+    return !isA<emptyPolyPatch>(pp) && !isA<wedgePolyPatch>(pp);
+}
+
+
+Foam::Pair<Foam::capsule::vector2> Foam::capsule::solvedDirections::ends
+(
+    const pointField& points,
+    const face& f
+) const
+{
+    // The other end is the point of the face furthest from the first
+    const vector2 a = (*this)(points[f[0]]);
+    vector2 b = a;
+    for (const label pointi : f)
+    {
+        const vector2 c = (*this)(points[pointi]);
+        if ((c - a).norm() > (b - a).norm())
+        {
+            b = c;
+        }
+    }
+    return Pair<vector2>(a, b);
+}
+
+
 Foam::pointField Foam::capsule::solvedDirections::toPoints(const nodalVectors& x) const
 {
     pointField result(x.rows());

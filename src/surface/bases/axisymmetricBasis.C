@@ -70,6 +70,18 @@ Foam::capsule::nodalScalars Foam::capsule::axisymmetricBasis::pack
 }
 
 
+Foam::capsule::nodalScalars Foam::capsule::axisymmetricBasis::extended
+(
+    const nodalScalars& f,
+    const bool even
+) const
+{
+    nodalScalars result(size());
+    result << f, (even ? 1 : -1)*f.reverse();
+    return result;
+}
+
+
 Foam::capsule::nodalVectors Foam::capsule::axisymmetricBasis::unpack
 (
     const nodalScalars& v
@@ -77,13 +89,23 @@ Foam::capsule::nodalVectors Foam::capsule::axisymmetricBasis::unpack
 {
     const label n = nPacked();
     nodalVectors result(2*n, 2);
-    for (label i = 0; i < 2; ++i)
-    {
-        result.col(i).head(n) = v.segment(i*n, n);
-        result.col(i).tail(n) =
-            (i == 0 ? 1 : -1)*v.segment(i*n, n).reverse();
-    }
+    result.col(0) = extended(v.head(n), true);
+    result.col(1) = extended(v.tail(n), false);
     return result;
+}
+
+
+Foam::capsule::nodalMatrix Foam::capsule::axisymmetricBasis::reduced
+(
+    const nodalMatrix& m,
+    const label component
+) const
+{
+    // Rows of the nodes that count; columns of mirror images added to theirs
+    const label n = nPacked();
+    return
+        m.topLeftCorner(n, n)
+      + (component == 0 ? 1 : -1)*m.topRightCorner(n, n).rowwise().reverse();
 }
 
 
@@ -92,24 +114,21 @@ Foam::capsule::nodalMatrix Foam::capsule::axisymmetricBasis::reduced
     const nodalMatrix& m
 ) const
 {
-    // Rows of the nodes that count; columns of mirror images added to theirs
     const label n = nPacked();
     nodalMatrix result(2*n, 2*n);
     for (label i = 0; i < 2; ++i)
     {
         for (label j = 0; j < 2; ++j)
         {
-            const auto block = m.block(i*2*n, j*2*n, n, 2*n);
             result.block(i*n, j*n, n, n) =
-                block.leftCols(n)
-              + (j == 0 ? 1 : -1)*block.rightCols(n).rowwise().reverse();
+                reduced(m.block(i*2*n, j*2*n, 2*n, 2*n), j);
         }
     }
     return result;
 }
 
 
-Foam::capsule::nodalVectors Foam::capsule::axisymmetricBasis::mirrored
+Foam::capsule::nodalVectors Foam::capsule::axisymmetricBasis::symmetric
 (
     const nodalVectors& x
 ) const
