@@ -12,6 +12,7 @@ License
 #include "boundaryTypes.H"
 #include "extrapolatedOutletFvPatchVectorField.H"
 #include "basicSymmetryFvPatchFields.H"
+#include "transformFvPatchField.H"
 #include "fvc.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -255,7 +256,7 @@ Foam::tmp<Foam::vectorField> Foam::capsule::flowEquations::fluxCoeffs
     {
         return tmp<vectorField>(S);
     }
-    if (isA<transformFvPatchVectorField>(Up))
+    if (isA<transformFvPatchField<vector>>(Up))
     {
         // Along the patch: symmetry, slip, wedge
         return tmp<vectorField>(new vectorField(S.size(), Zero));

@@ -10,6 +10,8 @@ License
 
 #include "membraneMeasures.H"
 #include "membraneSystem.H"
+#include "membraneVtk.H"
+#include "meshBoundary.H"
 #include "input.H"
 #include "unitConversion.H"
 #include "releases.H"
@@ -36,121 +38,109 @@ Foam::functionObjects::membraneMeasures::membranes() const
 }
 
 
+Foam::List<const char*>
+Foam::functionObjects::membraneMeasures::columns() const
+{
+    if (membranes().plane().axisymmetric())
+    {
+        return
+        {
+            "x", "U", "volume", "surface", "lengthX", "diameter",
+            "minStretch", "maxStretch", "minHoopStretch", "maxHoopStretch",
+            "minTension", "maxTension", "minHoopTension", "maxHoopTension",
+            "gap", "taylorDeformation", "elasticEnergy", "power"
+        };
+    }
+    return
+    {
+        "x", "y", "U", "V", "area", "perimeter",
+        "lengthX", "lengthY", "minStretch", "maxStretch",
+        "taylorDeformation", "elasticEnergy", "power",
+        "inclination"
+    };
+}
+
+
 void Foam::functionObjects::membraneMeasures::writeMeasures
 (
     const capsule::membrane& m,
+    const scalar gap,
     Ostream& os
 ) const
 {
-    using capsule::nodalScalars;
     using capsule::vector2;
 
     const capsule::closedSurface curve = m.curve();
-    const scalar area = curve.area();
-    const vector2 c = curve.centroid();
+    const vector2 centre = curve.centroid();
+    const scalar volume = curve.volume();
+    const vector2 U = curve.flow(m.now().velocity)/volume;
     const vector2 extents = curve.extents();
-    const nodalScalars stretch = m.stretch(curve);
+    const scalar power = curve.integral(m.power(curve));
+    const auto writeRange = [&](const capsule::nodalScalars& field)
+    {
+        os  << tab << field.minCoeff() << tab << field.maxCoeff();
+    };
 
-    // Mean velocity of the enclosed area by the divergence theorem
-    const nodalScalars un = capsule::dot(m.now().velocity, curve.normal());
-    const capsule::nodalVectors x = curve.nodes().rowwise() - c;
-    const scalar U = curve.integral(x.col(0).cwiseProduct(un))/area;
-    const scalar V = curve.integral(x.col(1).cwiseProduct(un))/area;
-
-    os  << mesh_.time().timeOutputValue()
-        << tab << c(0) << tab << c(1) << tab << U << tab << V
-        << tab << area << tab << curve.perimeter()
-        << tab << extents(0) << tab << extents(1)
-        << tab << stretch.minCoeff() << tab << stretch.maxCoeff()
-        << tab << curve.taylorDeformation()
+    os  << mesh_.time().timeOutputValue();
+    if (curve.axisymmetric())
+    {
+        os  << tab << centre(0) << tab << U(0)
+            << tab << volume << tab << curve.surface()
+            << tab << extents(0) << tab << extents(1);
+        writeRange(m.stretch(curve));
+        writeRange(m.secondStretch(curve));
+        writeRange(m.tension(curve));
+        writeRange(m.secondTension(curve));
+        os  << tab << gap << tab << curve.taylorDeformation()
+            << tab << m.elasticEnergy(curve)
+            << tab << power << endl;
+        return;
+    }
+    os  << tab << centre(0) << tab << centre(1) << tab << U(0) << tab << U(1)
+        << tab << volume << tab << curve.surface()
+        << tab << extents(0) << tab << extents(1);
+    writeRange(m.stretch(curve));
+    os  << tab << curve.taylorDeformation()
         << tab << m.elasticEnergy(curve)
-        << tab << curve.integral(m.power(curve))
+        << tab << power
         << tab << radToDeg(curve.inclination()) << endl;
 }
 
 
-void Foam::functionObjects::membraneMeasures::writeLine
+void Foam::functionObjects::membraneMeasures::writeVtk
 (
     const capsule::membrane& m
 ) const
 {
-    const capsule::membraneSystem& system = membranes();
-    const capsule::closedSurface curve = m.curve();
-    const label n = curve.size();
-    // In a periodic mesh the image whose centroid lies in the mesh
-    const capsule::vector2 centre = curve.centroid();
-    const pointField x
-    (
-        system.plane().toPoints
-        (
-            curve.nodes().rowwise() + (system.plane().images().wrapped(centre) - centre)
-        )
-    );
-    const vectorField U(system.plane().toVectors(m.now().velocity));
-    const vectorField F
-    (
-        system.plane().toVectors(m.force(curve, curve.areaElement()))
-    );
-    const capsule::nodalScalars stretch = m.stretch(curve);
-    const capsule::nodalScalars tension = m.tension(curve);
-
+    const capsule::membraneVtk vtk(m, membranes().plane());
     const fileName dir(baseTimeDir());
     mkDir(dir);
-    OFstream os(dir/m.name() + ".vtk");
-
-    os  << "# vtk DataFile Version 2.0" << nl << m.name() << nl
-        << "ASCII" << nl << "DATASET POLYDATA" << nl
-        << "POINTS " << n << " float" << nl;
-    for (const point& p : x)
+    vtk.writeLine(dir/m.name() + ".vtk");
+    writeSeries(m.name() + ".vtk");
+    if (membranes().plane().axisymmetric())
     {
-        os  << p.x() << ' ' << p.y() << ' ' << p.z() << nl;
-    }
-    os  << "LINES 1 " << n + 2 << nl << n + 1;
-    for (label i = 0; i <= n; ++i)
-    {
-        os  << ' ' << i % n;
-    }
-    os  << nl << "POINT_DATA " << n << nl;
-    const auto writeVectors = [&](const char* name, const vectorField& field)
-    {
-        os  << "VECTORS " << name << " float" << nl;
-        for (const vector& v : field)
-        {
-            os  << v.x() << ' ' << v.y() << ' ' << v.z() << nl;
-        }
-    };
-    writeVectors("velocity", U);
-    writeVectors("force", F);
-    os  << "SCALARS stretch float 1" << nl << "LOOKUP_TABLE default" << nl;
-    for (label i = 0; i < n; ++i)
-    {
-        os  << stretch(i) << nl;
-    }
-    os  << "SCALARS tension float 1" << nl << "LOOKUP_TABLE default" << nl;
-    for (label i = 0; i < n; ++i)
-    {
-        os  << tension(i) << nl;
+        vtk.writeSurface(dir/m.name() + ".surface.vtk");
+        writeSeries(m.name() + ".surface.vtk");
     }
 }
 
 
 void Foam::functionObjects::membraneMeasures::writeSeries
 (
-    const capsule::membrane& m
+    const fileName& file
 ) const
 {
     const fileName dir(baseFileDir()/name());
-    const word line(m.name() + ".vtk");
-    OFstream os(dir/(line + ".series"));
+    OFstream os(dir/(file + ".series"));
 
     os  << "{\n  \"file-series-version\" : \"1.0\",\n  \"files\" : [";
     const char* separator = "\n";
     for (const instant& time : Time::findTimes(dir))
     {
-        if (isFile(dir/time.name()/line))
+        if (isFile(dir/time.name()/file))
         {
             os  << separator << "    { \"name\" : \""
-                << (time.name()/line).c_str() << "\", \"time\" : "
+                << (time.name()/file).c_str() << "\", \"time\" : "
                 << time.value() << " }";
             separator = ",\n";
         }
@@ -200,6 +190,20 @@ bool Foam::functionObjects::membraneMeasures::write()
 {
     const capsule::membraneSystem& system = membranes();
 
+    // Walls of all processors
+    scalarList gaps(system.size(), Zero);
+    if (system.plane().axisymmetric())
+    {
+        forAll(gaps, i)
+        {
+            const capsule::closedSurface curve(system[i].curve());
+            gaps[i] = capsule::meshBoundary::New(mesh_).toWalls
+            (
+                curve.sampled(4*curve.size())
+            );
+        }
+    }
+
     if (!Pstream::master())
     {
         return true;
@@ -214,16 +218,7 @@ bool Foam::functionObjects::membraneMeasures::write()
             files_[i].precision(12);
             writeHeader(files_[i], "Membrane " + system[i].name());
             writeCommented(files_[i], "Time");
-            for
-            (
-                const char* column :
-                {
-                    "x", "y", "U", "V", "area", "perimeter",
-                    "lengthX", "lengthY", "minStretch", "maxStretch",
-                    "taylorDeformation", "elasticEnergy", "power",
-                    "inclination"
-                }
-            )
+            for (const char* column : columns())
             {
                 writeTabbed(files_[i], column);
             }
@@ -233,11 +228,10 @@ bool Foam::functionObjects::membraneMeasures::write()
 
     forAll(files_, i)
     {
-        writeMeasures(system[i], files_[i]);
+        writeMeasures(system[i], gaps[i], files_[i]);
         if (lines_)
         {
-            writeLine(system[i]);
-            writeSeries(system[i]);
+            writeVtk(system[i]);
         }
     }
     return true;

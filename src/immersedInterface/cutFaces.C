@@ -38,7 +38,10 @@ static bool atAxis(const fvMesh& mesh, const label celli)
         if (!mesh.isInternalFace(facei))
         {
             const polyBoundaryMesh& patches = mesh.boundaryMesh();
-            nWedge += isA<wedgePolyPatch>(patches[patches.whichPatch(facei)]);
+            if (isA<wedgePolyPatch>(patches[patches.whichPatch(facei)]))
+            {
+                ++nWedge;
+            }
         }
     }
     return nWedge == 2 && prismMatcher().isA(mesh, celli);

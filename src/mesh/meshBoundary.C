@@ -12,6 +12,7 @@ License
 #include "bitSet.H"
 #include "releases.H"
 #include "segments.H"
+#include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -222,6 +223,38 @@ Foam::word Foam::capsule::meshBoundary::nearest
 
     const scalar found = returnReduce(least, minOp<scalar>());
     return patchName(least == found ? patchi : -1);
+}
+
+
+Foam::scalar Foam::capsule::meshBoundary::toWalls
+(
+    const nodalVectors& polygon
+) const
+{
+    const label n = polygon.rows();
+    const vector2 centre = middle(polygon);
+    scalar least = GREAT;
+    for (const side& s : walls_)
+    {
+        if (isA<wallPolyPatch>(mesh_.boundaryMesh()[s.patch]))
+        {
+            const vector2 c = 0.5*(s.a + s.b);
+            const vector2 shift = plane_.images().image(c, centre) - c;
+            for (label i = 0; i < n; ++i)
+            {
+                least = min
+                (
+                    least,
+                    squaredDistance
+                    (
+                        polygon.row(i), polygon.row((i + 1) % n),
+                        s.a + shift, s.b + shift
+                    )
+                );
+            }
+        }
+    }
+    return Foam::sqrt(returnReduce(least, minOp<scalar>()));
 }
 
 
