@@ -56,7 +56,7 @@ Foam::capsule::closedSurface::closedSurface
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::capsule::vector2 Foam::capsule::closedSurface::integral
+Foam::capsule::vector2 Foam::capsule::closedSurface::integrals
 (
     const nodalVectors& f
 ) const
@@ -101,7 +101,7 @@ Foam::capsule::vector2 Foam::capsule::closedSurface::resultant
     return
         axisymmetric()
       ? vector2(integral(nodalScalars(f.col(0))), 0)
-      : integral(f);
+      : integrals(f);
 }
 
 

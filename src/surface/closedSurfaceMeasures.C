@@ -62,7 +62,7 @@ Foam::capsule::vector2 Foam::capsule::closedSurface::centroid() const
     }
 
     const nodalScalars dn = dot(d, n_);
-    return origin + integral(scaled(dn, d))/(3*0.5*integral(dn));
+    return origin + integrals(scaled(dn, d))/(3*0.5*integral(dn));
 }
 
 
