@@ -80,59 +80,59 @@ Foam::capsule::bendingModels::Helfrich::Helfrich(const dictionary& dict)
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::capsule::bendingModels::Helfrich::setReference
+Foam::capsule::nodalScalars
+Foam::capsule::bendingModels::Helfrich::momentDifference
 (
     const closedSurface& curve
-)
+) const
 {
-    reference_ =
-        initial_
-      ? curve.curvature()
-      : nodalScalars::Constant(curve.size(), uniform_);
+    return
+        modulus_
+       *(
+            (curve.curvature() - reference_)
+          - (curve.secondCurvature() - secondReference_)
+        );
 }
 
 
-void Foam::capsule::bendingModels::Helfrich::addResultant
+Foam::capsule::nodalScalars Foam::capsule::bendingModels::Helfrich::shear
 (
-    const closedSurface& curve,
-    nodalVectors& resultant
+    const closedSurface& curve
 ) const
 {
     const nodalScalars moment = modulus_*(curve.curvature() - reference_);
-    const nodalScalars shear = curve.ds(moment);
-    resultant += scaled(shear, curve.normal());
+    nodalScalars q = curve.ds(moment);
+    if (curve.axisymmetric())
+    {
+        q += momentDifference(curve).cwiseProduct(curve.convergence());
+    }
+    return q;
 }
 
 
-void Foam::capsule::bendingModels::Helfrich::addJacobian
+Foam::capsule::nodalMatrix
+Foam::capsule::bendingModels::Helfrich::curvatureChange
 (
-    const closedSurface& curve,
-    nodalMatrix& jacobian
+    const closedSurface& curve
 ) const
 {
     // With x' = dx/dalpha, g = |x'|, kappa = x' x x''/g^3:
-    //     dg = t.dx',  dn = -t (n.dx')/g
     //     dkappa = (dx' x x'' + x' x dx'')/g^3 - 3 kappa dg/g
-    //     dq = -q dg/g + (B dkappa)'/g
     const label n = curve.size();
     const nodalMatrix& d = curve.basis().derivative();
     const nodalMatrix d2 = d*d;
     const nodalVectors x1 = d*curve.nodes();
     const nodalVectors x2 = d*x1;
-    const nodalVectors& t = curve.tangent();
     const nodalScalars perLength = curve.metric().cwiseInverse();
     const nodalScalars perCube = perLength.array().cube();
-    const nodalScalars q =
-        curve.ds(nodalScalars(modulus_*(curve.curvature() - reference_)));
 
+    nodalMatrix result(n, 2*n);
     for (label j = 0; j < 2; ++j)
     {
         const label other = 1 - j;
         const scalar sign = (j == 0 ? 1 : -1);
-        const nodalMatrix dg = t.col(j).asDiagonal()*d;
-
         nodalMatrix dkappa =
             nodalScalars(sign*perCube.cwiseProduct(x2.col(other))).asDiagonal()
            *d;
@@ -143,20 +143,143 @@ void Foam::capsule::bendingModels::Helfrich::addJacobian
             nodalScalars
             (
                 3*curve.curvature().cwiseProduct(perLength)
-            ).asDiagonal()*dg;
+            ).asDiagonal()*(curve.tangent().col(j).asDiagonal()*d);
+        result.middleCols(j*n, n) = dkappa;
+    }
+    return result;
+}
 
-        nodalMatrix dq = modulus_*(perLength.asDiagonal()*(d*dkappa));
-        dq -= nodalScalars(q.cwiseProduct(perLength)).asDiagonal()*dg;
 
+Foam::capsule::nodalMatrix Foam::capsule::bendingModels::Helfrich::shearChange
+(
+    const closedSurface& curve
+) const
+{
+    // With dg = t.dx': d(dM1/ds) = -(dM1/ds) dg/g + (E_B dkappa)'/g
+    const label n = curve.size();
+    const nodalMatrix& d = curve.basis().derivative();
+    const nodalScalars perLength = curve.metric().cwiseInverse();
+    const nodalScalars slope =
+        curve.ds(nodalScalars(modulus_*(curve.curvature() - reference_)));
+    const nodalMatrix dkappa = curvatureChange(curve);
+
+    nodalMatrix result(n, 2*n);
+    for (label j = 0; j < 2; ++j)
+    {
+        nodalMatrix dq =
+            modulus_*(perLength.asDiagonal()*(d*dkappa.middleCols(j*n, n)));
+        dq -=
+            nodalScalars(slope.cwiseProduct(perLength)).asDiagonal()
+           *(curve.tangent().col(j).asDiagonal()*d);
+        result.middleCols(j*n, n) = dq;
+    }
+    if (curve.axisymmetric())
+    {
+        addSecondChange(curve, dkappa, result);
+    }
+    return result;
+}
+
+
+void Foam::capsule::bendingModels::Helfrich::addSecondChange
+(
+    const closedSurface& curve,
+    const nodalMatrix& dkappa,
+    nodalMatrix& dq
+) const
+{
+    // (E_B dkappa - E_B dK2) c'/c + (M1 - M2) d(c'/c), where K2 = n_r/c and
+    // c'/c = t_r/c, with dn = -t (n.dx')/g, dt = n (n.dx')/g and dc = dr
+    const label n = curve.size();
+    const nodalMatrix& d = curve.basis().derivative();
+    const nodalScalars& convergence = curve.convergence();
+    const nodalScalars difference = momentDifference(curve);
+    const nodalScalars perTurn =
+    (
+        modulus_*convergence.cwiseProduct(curve.tangent().col(1))
+      + difference.cwiseProduct(curve.normal().col(1))
+    ).cwiseQuotient(curve.areaElement());
+
+    dq += nodalScalars(modulus_*convergence).asDiagonal()*dkappa;
+    for (label j = 0; j < 2; ++j)
+    {
+        dq.middleCols(j*n, n) +=
+            nodalScalars
+            (
+                perTurn.cwiseProduct(curve.normal().col(j))
+            ).asDiagonal()*d;
+    }
+    dq.middleCols(n, n).diagonal() +=
+        convergence.cwiseProduct
+        (
+            modulus_*curve.secondCurvature() - difference
+        ).cwiseQuotient(curve.around());
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::capsule::bendingModels::Helfrich::setReference
+(
+    const closedSurface& curve
+)
+{
+    const nodalScalars uniform =
+        nodalScalars::Constant(curve.size(), uniform_);
+
+    reference_ = initial_ ? curve.curvature() : uniform;
+    secondReference_ = initial_ ? curve.secondCurvature() : uniform;
+}
+
+
+void Foam::capsule::bendingModels::Helfrich::addResultant
+(
+    const closedSurface& curve,
+    nodalVectors& resultant
+) const
+{
+    resultant += scaled(shear(curve), curve.normal());
+}
+
+
+void Foam::capsule::bendingModels::Helfrich::addJacobian
+(
+    const closedSurface& curve,
+    nodalMatrix& jacobian
+) const
+{
+    // d(c Q n) = c (dQ n - Q t (n.dx')/g) + dc Q n
+    const label n = curve.size();
+    const nodalMatrix& d = curve.basis().derivative();
+    const nodalVectors& normal = curve.normal();
+    const nodalScalars q = shear(curve);
+    const nodalScalars perLength = curve.metric().cwiseInverse();
+    const bool plane = !curve.axisymmetric();
+    const nodalScalars perArea =
+        plane ? perLength : nodalScalars(curve.areaElement().cwiseInverse());
+
+    const nodalMatrix dq = shearChange(curve);
+
+    for (label j = 0; j < 2; ++j)
+    {
         for (label i = 0; i < 2; ++i)
         {
             const nodalScalars turning =
-                q.cwiseProduct(perLength).cwiseProduct(t.col(i))
-               .cwiseProduct(curve.normal().col(j));
-            nodalMatrix resultant = curve.normal().col(i).asDiagonal()*dq;
+                q.cwiseProduct(perLength).cwiseProduct(curve.tangent().col(i))
+               .cwiseProduct(normal.col(j));
+            nodalMatrix resultant =
+                normal.col(i).asDiagonal()*dq.middleCols(j*n, n);
             resultant -= turning.asDiagonal()*d;
+            if (!plane)
+            {
+                resultant = curve.around().asDiagonal()*resultant;
+                if (j == 1)
+                {
+                    resultant.diagonal() += q.cwiseProduct(normal.col(i));
+                }
+            }
             jacobian.block(i*n, j*n, n, n) +=
-                perLength.asDiagonal()*(d*resultant);
+                perArea.asDiagonal()*(d*resultant);
         }
     }
 }

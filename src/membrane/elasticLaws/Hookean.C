@@ -28,38 +28,69 @@ namespace elasticLaws
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::capsule::elasticLaws::Hookean::Hookean(const dictionary& dict)
+Foam::capsule::elasticLaws::Hookean::Hookean
+(
+    const dictionary& dict,
+    const bool plane
+)
 :
     elasticLaw(dict),
-    modulus_(modulus(dict, "elasticModulus"))
-{}
+    modulus_(modulus(dict, "elasticModulus")),
+    ratio_(0)
+{
+    if (!plane || dict.found("poissonRatio"))
+    {
+        ratio_ = input::getBetween<scalar>(dict, "poissonRatio", -0.99, 0.99);
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::Hookean::tension
 (
-    const nodalScalars& stretch
+    const nodalScalars& l1,
+    const nodalScalars& l2
 ) const
 {
-    return (modulus_*(stretch.array() - 1)).matrix();
+    return
+    (
+        modulus_*((l1.array() - 1) + ratio_*(l2.array() - 1))/l2.array()
+    ).matrix();
 }
 
 
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::Hookean::energy
 (
-    const nodalScalars& stretch
+    const nodalScalars& l1,
+    const nodalScalars& l2
 ) const
 {
-    return
-        0.5*modulus_*(stretch.array() - 1).square();
+    const auto e1 = l1.array() - 1;
+    const auto e2 = l2.array() - 1;
+
+    return 0.5*modulus_*(e1.square() + e2.square() + 2*ratio_*e1*e2).matrix();
 }
 
 
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::Hookean::stiffness
 (
-    const nodalScalars& stretch
+    const nodalScalars&,
+    const nodalScalars& l2
 ) const
 {
-    return nodalScalars::Constant(stretch.size(), modulus_);
+    return modulus_*l2.cwiseInverse();
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::elasticLaws::Hookean::crossStiffness
+(
+    const nodalScalars& l1,
+    const nodalScalars& l2
+) const
+{
+    // -(E/l2^2) ((l1 - 1) + nu (l2 - 1)) + nu E/l2
+    return
+        modulus_
+       *((ratio_ - (l1.array() - 1))/l2.array().square()).matrix();
 }

@@ -35,7 +35,10 @@ Foam::capsule::elasticLaw::elasticLaw
         dict,
         input::joined
         (
-            {"type", "shearModulus", "elasticModulus", "surfaceTension"},
+            {
+                "type", "shearModulus", "form", "C", "elasticModulus",
+                "poissonRatio", "surfaceTension"
+            },
             own
         )
     );
@@ -44,7 +47,8 @@ Foam::capsule::elasticLaw::elasticLaw
 
 Foam::autoPtr<Foam::capsule::elasticLaw> Foam::capsule::elasticLaw::New
 (
-    const dictionary& dict
+    const dictionary& dict,
+    const bool plane
 )
 {
     const word type(input::get<word>(dict, "type"));
@@ -62,7 +66,7 @@ Foam::autoPtr<Foam::capsule::elasticLaw> Foam::capsule::elasticLaw::New
         ) << exit(FatalIOError);
     }
 
-    return autoPtr<elasticLaw>(cstrIter()(dict));
+    return autoPtr<elasticLaw>(cstrIter()(dict, plane));
 }
 
 

@@ -26,12 +26,48 @@ namespace elasticLaws
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::capsule::elasticLaws::neoHookean::incompressible
+(
+    const dictionary& dict,
+    const bool plane
+)
+{
+    const word entry("form");
+    const bool found = dict.found(entry);
+    const word form(found ? input::get<word>(dict, entry) : word());
+
+    if (found ? form != "publication" && form != "incompressible" : !plane)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << entry << " is "
+            << (found ? string(form) : string("missing, but a wedge needs it"))
+            << "; permitted: publication, T_i = E_s (l_i^2 - 1),"
+            << " or incompressible, T1 = G (l1/l2 - (l1 l2)^-3)"
+            << exit(FatalIOError);
+    }
+    if (!found)
+    {
+        Info<< "Elastic law neoHookean: form publication, T = E_s (s^2 - 1)"
+            << endl;
+    }
+    return form == "incompressible";
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::capsule::elasticLaws::neoHookean::neoHookean(const dictionary& dict)
+Foam::capsule::elasticLaws::neoHookean::neoHookean
+(
+    const dictionary& dict,
+    const bool plane
+)
 :
     elasticLaw(dict),
-    shearModulus_(modulus(dict, "shearModulus"))
+    shearModulus_(modulus(dict, "shearModulus")),
+    plane_(plane),
+    incompressible_(incompressible(dict, plane))
 {}
 
 
@@ -39,28 +75,87 @@ Foam::capsule::elasticLaws::neoHookean::neoHookean(const dictionary& dict)
 
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::neoHookean::tension
 (
-    const nodalScalars& stretch
+    const nodalScalars& l1,
+    const nodalScalars& l2
 ) const
 {
-    return shearModulus_*(stretch.array().square() - 1).matrix();
+    if (!incompressible_)
+    {
+        return shearModulus_*(l1.array().square() - 1).matrix();
+    }
+    const auto product = l1.array()*l2.array();
+
+    return
+        shearModulus_
+       *(l1.array()/l2.array() - product.cube().inverse()).matrix();
 }
 
 
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::neoHookean::energy
 (
-    const nodalScalars& stretch
+    const nodalScalars& l1,
+    const nodalScalars& l2
 ) const
 {
+    if (incompressible_)
+    {
+        const auto product = l1.array()*l2.array();
+
+        return
+            0.5*shearModulus_
+           *(
+                l1.array().square() + l2.array().square()
+              + product.square().inverse() - 3
+            ).matrix();
+    }
+    if (!plane_)
+    {
+        FatalErrorInFunction
+            << "The form publication has no energy where both stretches vary"
+            << abort(FatalError);
+    }
     return
         shearModulus_
-       *(stretch.array().cube()/3 - stretch.array() + scalar(2)/3);
+       *(l1.array().cube()/3 - l1.array() + scalar(2)/3);
 }
 
 
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::neoHookean::stiffness
 (
-    const nodalScalars& stretch
+    const nodalScalars& l1,
+    const nodalScalars& l2
 ) const
 {
-    return 2*shearModulus_*stretch;
+    if (!incompressible_)
+    {
+        return 2*shearModulus_*l1;
+    }
+    const auto product = l1.array()*l2.array();
+
+    return
+        shearModulus_
+       *(
+            l2.array().inverse() + 3*(product.cube()*l1.array()).inverse()
+        ).matrix();
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::elasticLaws::neoHookean::crossStiffness
+(
+    const nodalScalars& l1,
+    const nodalScalars& l2
+) const
+{
+    if (!incompressible_)
+    {
+        return nodalScalars::Zero(l1.size());
+    }
+    const auto product = l1.array()*l2.array();
+
+    return
+        shearModulus_
+       *(
+            3*(product.cube()*l2.array()).inverse()
+          - l1.array()/l2.array().square()
+        ).matrix();
 }

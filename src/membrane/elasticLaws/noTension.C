@@ -30,27 +30,39 @@ namespace elasticLaws
 
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::noTension::tension
 (
-    const nodalScalars& stretch
+    const nodalScalars& l1,
+    const nodalScalars&
 ) const
 {
-    return nodalScalars::Zero(stretch.size());
+    return nodalScalars::Zero(l1.size());
 }
 
 
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::noTension::energy
 (
-    const nodalScalars& stretch
+    const nodalScalars& l1,
+    const nodalScalars&
 ) const
 {
-    return
-        nodalScalars::Zero(stretch.size());
+    return nodalScalars::Zero(l1.size());
 }
 
 
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::noTension::stiffness
 (
-    const nodalScalars& stretch
+    const nodalScalars& l1,
+    const nodalScalars&
 ) const
 {
-    return nodalScalars::Zero(stretch.size());
+    return nodalScalars::Zero(l1.size());
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::elasticLaws::noTension::crossStiffness
+(
+    const nodalScalars& l1,
+    const nodalScalars&
+) const
+{
+    return nodalScalars::Zero(l1.size());
 }

@@ -28,7 +28,11 @@ namespace elasticLaws
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::capsule::elasticLaws::surfaceTension::surfaceTension(const dictionary& dict)
+Foam::capsule::elasticLaws::surfaceTension::surfaceTension
+(
+    const dictionary& dict,
+    const bool
+)
 :
     elasticLaw(dict),
     surfaceTension_(modulus(dict, "surfaceTension"))
@@ -39,27 +43,39 @@ Foam::capsule::elasticLaws::surfaceTension::surfaceTension(const dictionary& dic
 
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::surfaceTension::tension
 (
-    const nodalScalars& stretch
+    const nodalScalars& l1,
+    const nodalScalars&
 ) const
 {
-    return nodalScalars::Constant(stretch.size(), surfaceTension_);
+    return nodalScalars::Constant(l1.size(), surfaceTension_);
 }
 
 
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::surfaceTension::energy
 (
-    const nodalScalars& stretch
+    const nodalScalars& l1,
+    const nodalScalars& l2
 ) const
 {
-    return
-        surfaceTension_*stretch;
+    return surfaceTension_*l1.cwiseProduct(l2);
 }
 
 
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::surfaceTension::stiffness
 (
-    const nodalScalars& stretch
+    const nodalScalars& l1,
+    const nodalScalars&
 ) const
 {
-    return nodalScalars::Zero(stretch.size());
+    return nodalScalars::Zero(l1.size());
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::elasticLaws::surfaceTension::crossStiffness
+(
+    const nodalScalars& l1,
+    const nodalScalars&
+) const
+{
+    return nodalScalars::Zero(l1.size());
 }

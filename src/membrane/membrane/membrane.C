@@ -82,6 +82,44 @@ Foam::scalar Foam::capsule::membrane::perimeterInCells
 }
 
 
+Foam::label Foam::capsule::membrane::nPoints
+(
+    const dictionary& dict,
+    const scalar cells
+) const
+{
+    const label odd = max(label(25), 2*label(0.5*pointsPerCell*cells) + 1);
+    const label n = input::getOrDefault<label>
+    (
+        dict,
+        "points",
+        plane_.axisymmetric() ? odd + 1 : odd
+    );
+
+    // Points further apart than four cells do not use what the mesh resolves;
+    // points closer than a quarter of a cell only cost
+    const label least = max(label(12), label(cells/widestSpacing));
+    const label most = max(label(48), label(4*cells) + 1);
+    if (n < least || n > most)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry points is " << n << "; for membrane " << name_
+            << " on this mesh, " << least << " to " << most
+            << " are permitted: points a quarter of a cell"
+            << " width to four cell widths apart" << exit(FatalIOError);
+    }
+    if (plane_.axisymmetric() && n % 2)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry points is " << n << "; for membrane " << name_
+            << " in a wedge even numbers from " << least << " to " << most
+            << " are permitted: half the points are mirror images"
+            << exit(FatalIOError);
+    }
+    return n;
+}
+
+
 void Foam::capsule::membrane::setReference
 (
     const closedSurface& initial,
@@ -90,17 +128,16 @@ void Foam::capsule::membrane::setReference
 )
 {
     const scalar stretch = shape.initialStretch();
-    if (stretch != 1 && !law_->knowsReference())
+    if (stretch != 1 && !mechanics_.law().knowsReference())
     {
         FatalIOErrorInFunction(dict)
             << "Entry initialStretch is " << stretch << ", but the tension of"
-            << " the elastic law " << law_->type() << " of membrane " << name_
+            << " the elastic law " << mechanics_.law().type() << " of membrane " << name_
             << " does not depend on the stretch; permitted: 1, or no entry"
             << exit(FatalIOError);
     }
-    referenceMetric_ = initial.metric()/stretch;
-    referenceArea_ = initial.area();
-    bending_->setReference(initial);
+    mechanics_.setReference(initial, stretch);
+    referenceVolume_ = initial.volume();
 }
 
 
@@ -120,8 +157,7 @@ Foam::capsule::membrane::membrane
     (
         input::getPositive(dict, "viscosity", dimPressure*dimTime, "Pa s")
     ),
-    law_(elasticLaw::New(input::subDict(dict, "elasticLaw"))),
-    bending_(bendingModel::New(input::subDict(dict, "bending")))
+    mechanics_(dict, !plane.axisymmetric())
 {
     input::permit
     (
@@ -139,30 +175,11 @@ Foam::capsule::membrane::membrane
 
     const dictionary& shapeDict = input::subDict(dict, "shape");
     const autoPtr<membraneShape> shape(membraneShape::New(shapeDict, plane));
-    const scalar width =
-        Foam::sqrt(gMin(mesh.V().field())/plane.thickness());
-    const scalar cells = perimeterInCells(*shape, shapeDict, mesh, width);
-    const label n = input::getOrDefault<label>
-    (
-        dict,
-        "points",
-        max(label(25), 2*label(0.5*pointsPerCell*cells) + 1)
-    );
+    const scalar width = gMin(plane.widths(mesh)());
+    const label n =
+        nPoints(dict, perimeterInCells(*shape, shapeDict, mesh, width));
 
-    // Points further apart than four cells do not use what the mesh resolves;
-    // points closer than a quarter of a cell only cost
-    const label least = max(label(12), label(cells/widestSpacing));
-    const label most = max(label(48), label(4*cells) + 1);
-    if (n < least || n > most)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry points is " << n << "; for membrane " << name_
-            << " on this mesh, " << least << " to " << most
-            << " are permitted: points a quarter of a cell"
-            << " width to four cell widths apart" << exit(FatalIOError);
-    }
-
-    basis_.reset(new surfaceBasis(n));
+    basis_ = surfaceBasis::New(plane, n);
     now_.x = shape->nodes(*basis_);
 
     if (dict.found("load"))
@@ -174,7 +191,7 @@ Foam::capsule::membrane::membrane
     setReference(initial, *shape, shapeDict);
 
     now_.interface = now_.x;
-    now_.force = force(initial, initial.metric());
+    now_.force = force(initial, initial.areaElement());
     now_.inertia.setZero(n, 2);
     now_.inner.setZero(n, 2);
     now_.velocity.setZero(n, 2);
@@ -195,82 +212,27 @@ Foam::capsule::membrane::membrane
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::capsule::membrane::elasticEnergy
-(
-    const closedSurface& curve
-) const
-{
-    const nodalScalars perLength = law_->energy(stretch(curve));
-
-    return
-        constant::mathematical::twoPi/size()*perLength.dot(referenceMetric_);
-}
-
-
 Foam::capsule::nodalScalars Foam::capsule::membrane::power
 (
     const closedSurface& curve
 ) const
 {
-    return dot(force(curve, curve.metric()), now_.velocity);
+    return dot(force(curve, curve.areaElement()), now_.velocity);
 }
 
 
 Foam::capsule::nodalVectors Foam::capsule::membrane::force
 (
     const closedSurface& curve,
-    const nodalScalars& metric
+    const nodalScalars& areaElement
 ) const
 {
-    nodalVectors resultant = scaled(tension(curve), curve.tangent());
-    bending_->addResultant(curve, resultant);
-
-    nodalVectors perParameter = basis_->derivative()*resultant;
+    nodalVectors perParameters = mechanics_.force(curve);
     if (load_.valid())
     {
-        perParameter += scaled(curve.metric(), load_->force(curve));
+        perParameters += scaled(curve.areaElement(), load_->force(curve));
     }
-    return metric.cwiseInverse().asDiagonal()*perParameter;
-}
-
-
-Foam::capsule::nodalMatrix Foam::capsule::membrane::forceJacobian
-(
-    const closedSurface& curve,
-    const bool whole
-) const
-{
-    // d(T t) = [(dT/ds/g_ref - T/g) t t + T/g I] dx'
-    const label n = size();
-    const nodalScalars t = tension(curve);
-    const nodalScalars along =
-        law_->stiffness(stretch(curve)).cwiseQuotient(referenceMetric_);
-    const nodalScalars turning =
-        (whole ? t : nodalScalars(t.cwiseMax(0))).cwiseQuotient(curve.metric());
-    const nodalMatrix& d = basis_->derivative();
-    const nodalScalars perLength = curve.metric().cwiseInverse();
-
-    nodalMatrix result(2*n, 2*n);
-    for (label i = 0; i < 2; ++i)
-    {
-        for (label j = 0; j < 2; ++j)
-        {
-            nodalScalars m =
-            (
-                (along - turning).array()
-               *curve.tangent().col(i).array()*curve.tangent().col(j).array()
-            ).matrix();
-            if (i == j)
-            {
-                m += turning;
-            }
-            result.block(i*n, j*n, n, n) =
-                perLength.asDiagonal()*(d*(m.asDiagonal()*d));
-        }
-    }
-    bending_->addJacobian(curve, result);
-
-    return result;
+    return areaElement.cwiseInverse().asDiagonal()*perParameters;
 }
 
 

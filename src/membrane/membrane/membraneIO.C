@@ -10,13 +10,9 @@ License
 
 #include "membrane.H"
 #include "wholeFile.H"
-#include "releases.H"
-#include "fvMesh.H"
 #include "OSHA1stream.H"
 #include "sigFpe.H"
 #include "IOdictionary.H"
-#include "passiveParticleCloud.H"
-#include "IOField.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -279,68 +275,4 @@ bool Foam::capsule::membrane::readState
 void Foam::capsule::membrane::write(const Time& runTime) const
 {
     writeAtomically(stateWriter(*this, plane_, runTime), runTime.writeFormat());
-}
-
-
-void Foam::capsule::membrane::writeCloud(const fvMesh& mesh) const
-{
-    const closedSurface now(curve());
-    nodalVectors wrapped(now.nodes());
-    for (Eigen::Index i = 0; i < wrapped.rows(); ++i)
-    {
-        wrapped.row(i) = plane_.images().wrapped(now.nodes().row(i));
-    }
-    const pointField points(plane_.toPoints(wrapped));
-    const vectorField velocity(plane_.toVectors(now_.velocity));
-    const vectorField force
-    (
-        plane_.toVectors(this->force(now, now.metric()))
-    );
-    const nodalScalars stretch = this->stretch(now);
-    const nodalScalars tension = this->tension(now);
-
-    // Each point has one owner: the lowest processor that finds it
-    auto owned = emptyCloud<passiveParticleCloud>(mesh, name_);
-    passiveParticleCloud& cloud = *owned;
-    DynamicList<label> mine;
-    forAll(points, i)
-    {
-        const label celli = mesh.findCell(points[i]);
-        const label owner = returnReduce
-        (
-            celli == -1 ? Pstream::nProcs() : Pstream::myProcNo(),
-            minOp<label>()
-        );
-        if (owner == Pstream::myProcNo())
-        {
-            cloud.addParticle(new passiveParticle(mesh, points[i], celli));
-            mine.append(i);
-        }
-    }
-    cloud.write();
-
-    const auto io = [&](const word& field)
-    {
-        return IOobject
-        (
-            field,
-            mesh.time().timeName(),
-            cloud,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        );
-    };
-    IOField<vector>(io("velocity"), vectorField(velocity, mine)).write();
-    IOField<vector>(io("force"), vectorField(force, mine)).write();
-
-    IOField<scalar> stretchField(io("stretch"), mine.size());
-    IOField<scalar> tensionField(io("tension"), mine.size());
-    forAll(mine, i)
-    {
-        stretchField[i] = stretch(mine[i]);
-        tensionField[i] = tension(mine[i]);
-    }
-    stretchField.write();
-    tensionField.write();
 }

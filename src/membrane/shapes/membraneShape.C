@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneShape.H"
+#include "axisymmetricBasis.H"
 #include "dimensionSets.H"
 #include "unitConversion.H"
 #include "mathematicalConstants.H"
@@ -25,6 +26,29 @@ namespace capsule
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::capsule::membraneShape::setOnAxis
+(
+    const dictionary& dict,
+    const solvedDirections& plane
+)
+{
+    // The axis follows from the patches, with their rounding
+    const scalar length =
+        (local(0) - local(constant::mathematical::pi)).norm();
+    const vector2 onAxis(centre_(0), plane.axisAt());
+    if (mag(plane.radius(centre_)) > 1e-6*length)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry centre is " << input::get<point>(dict, "centre")
+            << ", but in a wedge the centre must be on the axis: permitted is "
+            << plane.toPoint(onAxis) << exit(FatalIOError);
+    }
+    centre_ = onAxis;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::membraneShape::membraneShape
@@ -35,6 +59,7 @@ Foam::capsule::membraneShape::membraneShape
 )
 :
     centre_(plane(input::get<point>(dict, "centre"))),
+    angle_(0),
     cos_(1),
     sin_(0),
     clustering_
@@ -56,12 +81,25 @@ Foam::capsule::membraneShape::membraneShape
         )
     );
 
-    const scalar angle = degToRad
+    angle_ = degToRad
     (
         input::getBetweenOrDefault<scalar>(dict, "angle", 0, -360, 360)
     );
-    cos_ = std::cos(angle);
-    sin_ = std::sin(angle);
+    cos_ = std::cos(angle_);
+    sin_ = std::sin(angle_);
+    if (plane.axisymmetric())
+    {
+        const scalar degrees = input::getOrDefault<scalar>(dict, "angle", 0);
+        if (degrees != 0 && degrees != 180)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry angle is " << degrees << "; permitted in a wedge,"
+                << " where shapes are of revolution about the axis: 0, 180"
+                << exit(FatalIOError);
+        }
+        cos_ = (degrees == 0 ? 1 : -1);
+        sin_ = 0;
+    }
 }
 
 
@@ -86,11 +124,33 @@ Foam::autoPtr<Foam::capsule::membraneShape> Foam::capsule::membraneShape::New
         ) << exit(FatalIOError);
     }
 
-    return autoPtr<membraneShape>(cstrIter()(dict, plane));
+    autoPtr<membraneShape> shape(cstrIter()(dict, plane));
+    if (plane.axisymmetric())
+    {
+        shape->setOnAxis(dict, plane);
+    }
+    return shape;
 }
 
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+void Foam::capsule::membraneShape::needWedge
+(
+    const dictionary& dict,
+    const solvedDirections& plane,
+    const char* permitted
+)
+{
+    if (!plane.axisymmetric())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry type is " << input::get<word>(dict, "type")
+            << ", a shape of a wedge; in this plane mesh permitted: "
+            << permitted << exit(FatalIOError);
+    }
+}
+
 
 Foam::scalar Foam::capsule::membraneShape::length
 (
@@ -145,10 +205,14 @@ Foam::capsule::nodalVectors Foam::capsule::membraneShape::nodes
         return s;
     };
 
+    // In a wedge the curve starts at the pole that the rotation brings first
+    const bool revolved = basis.axisymmetric();
+    const scalar first = basis.start() + (revolved ? angle_ : 0);
+
     nodalVectors result(basis.size(), 2);
     for (label j = 0; j < basis.size(); ++j)
     {
-        const scalar alpha = basis.alpha(j);
+        const scalar alpha = first + basis.alpha(j);
         const scalar target = g(0)*(alpha - 0.5*clustering_*std::sin(2*alpha));
         scalar chi = alpha;
         for (label iter = 0; iter < 50; ++iter)
@@ -163,7 +227,10 @@ Foam::capsule::nodalVectors Foam::capsule::membraneShape::nodes
         }
         result.row(j) = placed(local(chi));
     }
-    return result;
+    return
+        revolved
+      ? refCast<const axisymmetricBasis>(basis).mirrored(result)
+      : result;
 }
 
 

@@ -1,0 +1,84 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "membrane.H"
+#include "releases.H"
+#include "fvMesh.H"
+#include "passiveParticleCloud.H"
+#include "IOField.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::capsule::membrane::writeCloud(const fvMesh& mesh) const
+{
+    const closedSurface now(curve());
+    nodalVectors wrapped(now.nodes().topRows(basis_->nPacked()));
+    for (Eigen::Index i = 0; i < wrapped.rows(); ++i)
+    {
+        wrapped.row(i) = plane_.images().wrapped(now.nodes().row(i));
+    }
+    const pointField points(plane_.toPoints(wrapped));
+
+    // Each point has one owner: the lowest processor that finds it
+    auto owned = emptyCloud<passiveParticleCloud>(mesh, name_);
+    passiveParticleCloud& cloud = *owned;
+    DynamicList<label> mine;
+    forAll(points, i)
+    {
+        const label celli = mesh.findCell(points[i]);
+        const label owner = returnReduce
+        (
+            celli == -1 ? Pstream::nProcs() : Pstream::myProcNo(),
+            minOp<label>()
+        );
+        if (owner == Pstream::myProcNo())
+        {
+            cloud.addParticle(new passiveParticle(mesh, points[i], celli));
+            mine.append(i);
+        }
+    }
+    cloud.write();
+
+    const auto io = [&](const word& field)
+    {
+        return IOobject
+        (
+            field,
+            mesh.time().timeName(),
+            cloud,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        );
+    };
+    const auto writeVectors = [&](const word& name, const nodalVectors& v)
+    {
+        IOField<vector>(io(name), vectorField(plane_.toVectors(v), mine))
+            .write();
+    };
+    const auto writeScalars = [&](const word& name, const nodalScalars& v)
+    {
+        IOField<scalar> field(io(name), mine.size());
+        forAll(mine, i)
+        {
+            field[i] = v(mine[i]);
+        }
+        field.write();
+    };
+    writeVectors("velocity", now_.velocity);
+    writeVectors("force", force(now, now.areaElement()));
+    writeScalars("stretch", stretch(now));
+    writeScalars("tension", tension(now));
+    if (plane_.axisymmetric())
+    {
+        writeScalars("hoopStretch", secondStretch(now));
+        writeScalars("hoopTension", secondTension(now));
+    }
+}

@@ -1,0 +1,175 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "membraneMechanics.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::capsule::membraneMechanics::addSecondJacobian
+(
+    const closedSurface& curve,
+    nodalMatrix& jacobian
+) const
+{
+    // With dg = t.dx' and dc = dr: of c T1 t, (T1 + c dT1/dl2/c_ref) t dc, and
+    // of -g T2 e, -(T2 dg + g dT2) e
+    const label n = curve.size();
+    const nodalMatrix& d = curve.basis().derivative();
+    const nodalScalars l1 = stretch(curve);
+    const nodalScalars l2 = secondStretch(curve);
+    const nodalScalars perArea = curve.areaElement().cwiseInverse();
+    const nodalScalars widening =
+        law_->tension(l1, l2) + l2.cwiseProduct(law_->crossStiffness(l1, l2));
+    const nodalScalars lengthening =
+        law_->tension(l2, l1) + l1.cwiseProduct(law_->crossStiffness(l2, l1));
+
+    for (label i = 0; i < 2; ++i)
+    {
+        const nodalVectors& t = curve.tangent();
+        jacobian.block(i*n, n, n, n) +=
+            perArea.asDiagonal()
+           *(d*nodalScalars(widening.cwiseProduct(t.col(i))).asDiagonal());
+        jacobian.block(n, i*n, n, n) -=
+            nodalScalars
+            (
+                perArea.cwiseProduct(lengthening).cwiseProduct(t.col(i))
+            ).asDiagonal()*d;
+    }
+    jacobian.block(n, n, n, n).diagonal() -=
+        law_->stiffness(l2, l1).cwiseQuotient
+        (
+            curve.around().cwiseProduct(referenceAround_)
+        );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::membraneMechanics::membraneMechanics
+(
+    const dictionary& dict,
+    const bool plane
+)
+:
+    law_(elasticLaw::New(input::subDict(dict, "elasticLaw"), plane)),
+    bending_(bendingModel::New(input::subDict(dict, "bending")))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::capsule::membraneMechanics::setReference
+(
+    const closedSurface& initial,
+    const scalar stretch
+)
+{
+    referenceMetric_ = initial.metric()/stretch;
+    referenceAround_ = initial.around();
+    if (initial.axisymmetric())
+    {
+        referenceAround_ /= stretch;
+    }
+    bending_->setReference(initial);
+}
+
+
+Foam::scalar Foam::capsule::membraneMechanics::elasticEnergy
+(
+    const closedSurface& curve
+) const
+{
+    const surfaceBasis& basis = curve.basis();
+    const nodalScalars perArea =
+        law_->energy(stretch(curve), secondStretch(curve));
+
+    return
+        curve.axisymmetric()
+      ? basis.weights().dot
+        (
+            perArea.cwiseProduct(referenceMetric_).cwiseProduct
+            (
+                referenceAround_
+            )
+        )
+      : basis.spacing()*perArea.dot(referenceMetric_);
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::membraneMechanics::force
+(
+    const closedSurface& curve
+) const
+{
+    nodalVectors resultant = scaled(tension(curve), curve.tangent());
+    bending_->addResultant(curve, resultant);
+
+    const nodalMatrix& d = curve.basis().derivative();
+    if (!curve.axisymmetric())
+    {
+        return d*resultant;
+    }
+    nodalVectors result = d*scaled(curve.around(), resultant);
+    result.col(1) -= curve.metric().cwiseProduct(secondTension(curve));
+    return result;
+}
+
+
+Foam::capsule::nodalMatrix Foam::capsule::membraneMechanics::forceJacobian
+(
+    const closedSurface& curve,
+    const bool fullTangent
+) const
+{
+    // d(c T1 t) = c [(dT1/dl1/g_ref - T1/g) t t + T1/g I] dx', and
+    // addSecondJacobian
+    const label n = curve.size();
+    const nodalScalars l1 = stretch(curve);
+    const nodalScalars l2 = secondStretch(curve);
+    const nodalScalars T1 = law_->tension(l1, l2);
+    nodalScalars along = law_->stiffness(l1, l2).cwiseQuotient(referenceMetric_);
+    nodalScalars turning =
+        (
+            fullTangent ? T1 : nodalScalars(T1.cwiseMax(0))
+        ).cwiseQuotient(curve.metric());
+    if (curve.axisymmetric())
+    {
+        along = along.cwiseProduct(curve.around()).eval();
+        turning = turning.cwiseProduct(curve.around()).eval();
+    }
+    const nodalMatrix& d = curve.basis().derivative();
+    const nodalScalars perArea = curve.areaElement().cwiseInverse();
+
+    nodalMatrix result(2*n, 2*n);
+    for (label i = 0; i < 2; ++i)
+    {
+        for (label j = 0; j < 2; ++j)
+        {
+            nodalScalars m =
+            (
+                (along - turning).array()
+               *curve.tangent().col(i).array()*curve.tangent().col(j).array()
+            ).matrix();
+            if (i == j)
+            {
+                m += turning;
+            }
+            result.block(i*n, j*n, n, n) =
+                perArea.asDiagonal()*(d*(m.asDiagonal()*d));
+        }
+    }
+    if (curve.axisymmetric())
+    {
+        addSecondJacobian(curve, result);
+    }
+    bending_->addJacobian(curve, result);
+
+    return result;
+}
