@@ -27,6 +27,30 @@ namespace functionObjects
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::labelList Foam::functionObjects::analyticalErrors::axisCells() const
+{
+    DynamicList<label> cells;
+    forAll(mesh_.cellPoints(), celli)
+    {
+        scalar nearest = GREAT;
+        for (const label pointi : mesh_.cellPoints()[celli])
+        {
+            nearest = min
+            (
+                nearest,
+                plane_.radius(plane_(mesh_.points()[pointi]))
+            );
+        }
+        const scalar r = plane_.radius(plane_(mesh_.C()[celli]));
+        if (plane_.axisymmetric() && nearest < 1e-6*r)
+        {
+            cells.append(celli);
+        }
+    }
+    return labelList(std::move(cells));
+}
+
+
 Foam::scalar Foam::functionObjects::analyticalErrors::interfaceError
 (
     const scalar t
@@ -56,7 +80,6 @@ Foam::boolList Foam::functionObjects::analyticalErrors::inside
     const scalar t
 ) const
 {
-    const capsule::solvedDirections plane(mesh_);
     const auto* membranes =
         mesh_.findObject<capsule::membraneSystem>("membraneProperties");
 
@@ -65,7 +88,7 @@ Foam::boolList Foam::functionObjects::analyticalErrors::inside
     {
         forAll(result, celli)
         {
-            result[celli] = exact_->inside(plane(mesh_.C()[celli]), t);
+            result[celli] = exact_->inside(plane_(mesh_.C()[celli]), t);
         }
     }
     for (label i = 0; membranes && i < membranes->size(); ++i)
@@ -74,7 +97,7 @@ Foam::boolList Foam::functionObjects::analyticalErrors::inside
         const capsule::closedSurface curve(m.basis(), m.now().interface);
         const capsule::membraneLevelSet distance
         (
-            m.name(), mesh_, plane, curve, 1
+            m.name(), mesh_, plane_, curve, 1
         );
         UIndirectList<bool>(result, distance.inside()) = true;
     }
@@ -93,12 +116,19 @@ Foam::functionObjects::analyticalErrors::analyticalErrors
 :
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(mesh_, name, "errors", dict),
-    exact_(capsule::analyticalSolution::New(mesh_))
+    exact_(capsule::analyticalSolution::New(mesh_)),
+    plane_(mesh_),
+    atAxis_(axisCells())
 {
     writeCommented(file(), "Time");
     for (const char* column : {"U_L2", "U_max", "p_L2", "p_max", "interface"})
     {
         writeTabbed(file(), column);
+    }
+    if (plane_.axisymmetric())
+    {
+        writeTabbed(file(), "U_axis");
+        writeTabbed(file(), "p_axis");
     }
     file() << endl;
 }
@@ -116,7 +146,6 @@ bool Foam::functionObjects::analyticalErrors::write()
 {
     const volVectorField& U = lookupObject<volVectorField>("U");
     const volScalarField& p = lookupObject<volScalarField>("p");
-    const capsule::solvedDirections plane(mesh_);
     const scalarField& V = mesh_.V().field();
     const scalar t = mesh_.time().value();
 
@@ -126,8 +155,8 @@ bool Foam::functionObjects::analyticalErrors::write()
     const boolList inside(this->inside(t));
     forAll(dU, celli)
     {
-        const capsule::vector2 x = plane(mesh_.C()[celli]);
-        dU[celli] = (plane(U[celli]) - exact_->velocity(x, t)).norm();
+        const capsule::vector2 x = plane_(mesh_.C()[celli]);
+        dU[celli] = (plane_(U[celli]) - exact_->velocity(x, t)).norm();
         dp[celli] = p[celli] - exact_->pressure(x, t, inside[celli]);
         outside[celli] = inside[celli] ? 0 : V[celli];
     }
@@ -139,6 +168,13 @@ bool Foam::functionObjects::analyticalErrors::write()
         << mesh_.time().timeOutputValue()
         << tab << Foam::sqrt(gSum(V*sqr(dU))/volume) << tab << gMax(dU)
         << tab << Foam::sqrt(gSum(V*sqr(dp))/volume) << tab << gMax(mag(dp))
-        << tab << onInterface << endl;
+        << tab << onInterface;
+    if (plane_.axisymmetric())
+    {
+        file()
+            << tab << gMax(scalarField(dU, atAxis_))
+            << tab << gMax(mag(scalarField(dp, atAxis_)));
+    }
+    file() << endl;
     return true;
 }

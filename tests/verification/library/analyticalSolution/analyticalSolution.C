@@ -70,7 +70,13 @@ Foam::capsule::analyticalSolution::New(const fvMesh& mesh)
     (
         constantDictionary("membraneProperties", mesh)
     );
-    const dictionary& circle = membranes.subDict("membranes").subDict("circle");
+    const dictionary& all = membranes.subDict("membranes");
+    if (all.size() != 1)
+    {
+        FatalIOErrorInFunction(all)
+            << "An analytical solution is that of one membrane, not of "
+            << all.toc() << exit(FatalIOError);
+    }
 
     const word type(dict.get<word>("type"));
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
@@ -91,7 +97,7 @@ Foam::capsule::analyticalSolution::New(const fvMesh& mesh)
         solvedDirections(mesh),
         Pair<scalar>
         (
-            circle.get<scalar>("viscosity"),
+            all.subDict(all.toc()[0]).get<scalar>("viscosity"),
             transport.get<scalar>("mu")
         ),
         transport.get<scalar>("rho")

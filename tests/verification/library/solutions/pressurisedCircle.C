@@ -37,7 +37,10 @@ Foam::capsule::analyticalSolutions::pressurisedCircle::pressurisedCircle
 )
 :
     analyticalSolution(dict, plane, viscosity, density),
-    tension_(dict.get<scalar>("tension"))
+    pressure_
+    (
+        dict.get<scalar>("tension")*(plane.axisymmetric() ? 2 : 1)/radius_
+    )
 {}
 
 
@@ -52,5 +55,5 @@ Foam::capsule::analyticalSolutions::pressurisedCircle::flow
     const bool in
 ) const
 {
-    return {0, 0, in ? tension_/radius_ : 0};
+    return {0, 0, in ? pressure_ : 0};
 }
