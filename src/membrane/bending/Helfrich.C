@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "Helfrich.H"
+#include "resultants.H"
 #include "dimensionedScalar.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -248,16 +249,12 @@ void Foam::capsule::bendingModels::Helfrich::addJacobian
     nodalMatrix& jacobian
 ) const
 {
-    // d(c Q n) = c (dQ n - Q t (n.dx')/g) + dc Q n
+    // d(Q n) = dQ n - Q t (n.dx')/g
     const label n = curve.size();
     const nodalMatrix& d = curve.basis().derivative();
     const nodalVectors& normal = curve.normal();
     const nodalScalars q = shear(curve);
     const nodalScalars perLength = curve.metric().cwiseInverse();
-    const bool plane = !curve.axisymmetric();
-    const nodalScalars perArea =
-        plane ? perLength : nodalScalars(curve.areaElement().cwiseInverse());
-
     const nodalMatrix dq = shearChange(curve);
 
     for (label j = 0; j < 2; ++j)
@@ -267,19 +264,13 @@ void Foam::capsule::bendingModels::Helfrich::addJacobian
             const nodalScalars turning =
                 q.cwiseProduct(perLength).cwiseProduct(curve.tangent().col(i))
                .cwiseProduct(normal.col(j));
-            nodalMatrix resultant =
+            nodalMatrix change =
                 normal.col(i).asDiagonal()*dq.middleCols(j*n, n);
-            resultant -= turning.asDiagonal()*d;
-            if (!plane)
-            {
-                resultant = curve.around().asDiagonal()*resultant;
-                if (j == 1)
-                {
-                    resultant.diagonal() += q.cwiseProduct(normal.col(i));
-                }
-            }
-            jacobian.block(i*n, j*n, n, n) +=
-                perArea.asDiagonal()*(d*resultant);
+            change -= turning.asDiagonal()*d;
+            jacobian.block(i*n, j*n, n, n) += resultants::forceChange
+            (
+                curve, q.cwiseProduct(normal.col(i)), change, j
+            );
         }
     }
 }

@@ -41,10 +41,10 @@ bool Foam::capsule::elasticLaws::neoHookean::incompressible
     if (found ? form != "publication" && form != "incompressible" : !plane)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry " << entry << " is "
-            << (found ? string(form) : string("missing, but a wedge needs it"))
-            << "; permitted: publication, T_i = E_s (l_i^2 - 1),"
-            << " or incompressible, T1 = G (l1/l2 - (l1 l2)^-3)"
+            << "Entry " << entry << " is " << (found ? form : word("missing"))
+            << "; permitted" << (plane ? "" : ", in a wedge without a default")
+            << ": publication, T_i = E_s (l_i^2 - 1), or incompressible,"
+            << " T1 = G (l1/l2 - (l1 l2)^-3)"
             << exit(FatalIOError);
     }
     if (!found)

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneMechanics.H"
+#include "resultants.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -18,29 +19,22 @@ void Foam::capsule::membraneMechanics::addSecondJacobian
     nodalMatrix& jacobian
 ) const
 {
-    // With dg = t.dx' and dc = dr: of c T1 t, (T1 + c dT1/dl2/c_ref) t dc, and
-    // of -g T2 e, -(T2 dg + g dT2) e
+    // With dg = t.dx' and dc = dr: -(T2 dg + g dT2) e
     const label n = curve.size();
-    const nodalMatrix& d = curve.basis().derivative();
     const nodalScalars l1 = stretch(curve);
     const nodalScalars l2 = secondStretch(curve);
-    const nodalScalars perArea = curve.areaElement().cwiseInverse();
-    const nodalScalars widening =
-        law_->tension(l1, l2) + l2.cwiseProduct(law_->crossStiffness(l1, l2));
-    const nodalScalars lengthening =
-        law_->tension(l2, l1) + l1.cwiseProduct(law_->crossStiffness(l2, l1));
+    const nodalScalars perLengthening =
+    (
+        law_->tension(l2, l1) + l1.cwiseProduct(law_->crossStiffness(l2, l1))
+    ).cwiseQuotient(curve.areaElement());
 
-    for (label i = 0; i < 2; ++i)
+    for (label j = 0; j < 2; ++j)
     {
-        const nodalVectors& t = curve.tangent();
-        jacobian.block(i*n, n, n, n) +=
-            perArea.asDiagonal()
-           *(d*nodalScalars(widening.cwiseProduct(t.col(i))).asDiagonal());
-        jacobian.block(n, i*n, n, n) -=
+        jacobian.block(n, j*n, n, n) -=
             nodalScalars
             (
-                perArea.cwiseProduct(lengthening).cwiseProduct(t.col(i))
-            ).asDiagonal()*d;
+                perLengthening.cwiseProduct(curve.tangent().col(j))
+            ).asDiagonal()*curve.basis().derivative();
     }
     jacobian.block(n, n, n, n).diagonal() -=
         law_->stiffness(l2, l1).cwiseQuotient
@@ -111,13 +105,11 @@ Foam::capsule::nodalVectors Foam::capsule::membraneMechanics::force
     nodalVectors resultant = scaled(tension(curve), curve.tangent());
     bending_->addResultant(curve, resultant);
 
-    const nodalMatrix& d = curve.basis().derivative();
-    if (!curve.axisymmetric())
+    nodalVectors result = resultants::force(curve, resultant);
+    if (curve.axisymmetric())
     {
-        return d*resultant;
+        result.col(1) -= curve.metric().cwiseProduct(secondTension(curve));
     }
-    nodalVectors result = d*scaled(curve.around(), resultant);
-    result.col(1) -= curve.metric().cwiseProduct(secondTension(curve));
     return result;
 }
 
@@ -128,24 +120,24 @@ Foam::capsule::nodalMatrix Foam::capsule::membraneMechanics::forceJacobian
     const bool fullTangent
 ) const
 {
-    // d(c T1 t) = c [(dT1/dl1/g_ref - T1/g) t t + T1/g I] dx', and
-    // addSecondJacobian
+    // d(T1 t) = [(dT1/dl1/g_ref - T1/g) t t + T1/g I] dx' + dT1/dl2/c_ref t dr
     const label n = curve.size();
+    const bool plane = !curve.axisymmetric();
     const nodalScalars l1 = stretch(curve);
     const nodalScalars l2 = secondStretch(curve);
     const nodalScalars T1 = law_->tension(l1, l2);
-    nodalScalars along = law_->stiffness(l1, l2).cwiseQuotient(referenceMetric_);
-    nodalScalars turning =
+    const nodalScalars along =
+        law_->stiffness(l1, l2).cwiseQuotient(referenceMetric_);
+    const nodalScalars across =
+        plane
+      ? nodalScalars()
+      : law_->crossStiffness(l1, l2).cwiseQuotient(referenceAround_);
+    const nodalScalars turning =
         (
             fullTangent ? T1 : nodalScalars(T1.cwiseMax(0))
         ).cwiseQuotient(curve.metric());
-    if (curve.axisymmetric())
-    {
-        along = along.cwiseProduct(curve.around()).eval();
-        turning = turning.cwiseProduct(curve.around()).eval();
-    }
+    const nodalVectors& t = curve.tangent();
     const nodalMatrix& d = curve.basis().derivative();
-    const nodalScalars perArea = curve.areaElement().cwiseInverse();
 
     nodalMatrix result(2*n, 2*n);
     for (label i = 0; i < 2; ++i)
@@ -153,19 +145,23 @@ Foam::capsule::nodalMatrix Foam::capsule::membraneMechanics::forceJacobian
         for (label j = 0; j < 2; ++j)
         {
             nodalScalars m =
-            (
-                (along - turning).array()
-               *curve.tangent().col(i).array()*curve.tangent().col(j).array()
-            ).matrix();
+                (along - turning).array()*t.col(i).array()*t.col(j).array();
             if (i == j)
             {
                 m += turning;
             }
-            result.block(i*n, j*n, n, n) =
-                perArea.asDiagonal()*(d*(m.asDiagonal()*d));
+            nodalMatrix change = m.asDiagonal()*d;
+            if (j == 1 && !plane)
+            {
+                change.diagonal() += across.cwiseProduct(t.col(i));
+            }
+            result.block(i*n, j*n, n, n) = resultants::forceChange
+            (
+                curve, T1.cwiseProduct(t.col(i)), change, j
+            );
         }
     }
-    if (curve.axisymmetric())
+    if (!plane)
     {
         addSecondJacobian(curve, result);
     }

@@ -229,7 +229,7 @@ Foam::capsule::nodalVectors Foam::capsule::membraneShape::nodes
     }
     return
         revolved
-      ? refCast<const axisymmetricBasis>(basis).mirrored(result)
+      ? dynamic_cast<const axisymmetricBasis&>(basis).mirrored(result)
       : result;
 }
 

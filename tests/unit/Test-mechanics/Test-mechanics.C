@@ -11,12 +11,14 @@ Application
 
 Description
     Unit tests of elastic laws of two stretches, bending and the force of
-    membranes in the plane and of surfaces of revolution, and of the measures of
-    these, against exact values and differences. Returns the number of failures.
+    membranes in the plane and of surfaces of revolution, of the measures of
+    these, and of shapes in the wedge or plane of the case it runs in, against
+    exact values and differences. Returns the number of failures.
 
 \*---------------------------------------------------------------------------*/
 
-#include "forceTests.H"
+#include "fvCFD.H"
+#include "shapeTests.H"
 
 using namespace Foam;
 using namespace Foam::capsule;
@@ -27,8 +29,8 @@ static scalar spheroidSurface(const scalar a, const scalar b)
     const scalar e = std::sqrt(mag(1 - sqr(min(a, b)/max(a, b))));
     return
         a > b
-      ? 2*pi*b*b*(1 + a/(b*e)*std::asin(e))
-      : 2*pi*b*b*(1 + (1 - e*e)/e*std::atanh(e));
+      ? 2*capsule::pi*b*b*(1 + a/(b*e)*std::asin(e))
+      : 2*capsule::pi*b*b*(1 + (1 - e*e)/e*std::atanh(e));
 }
 
 
@@ -38,8 +40,8 @@ static void testMeasures()
     {
         const auto basis = basisOf(64, false);
         const closedSurface s(*basis, ellipseOf(*basis, 1, b, 0, 0.1));
-        const scalar surface = (b == 1 ? 4*pi : spheroidSurface(1, b));
-        check("volume of a spheroid", s.volume() - 4*pi/3*b*b, 1e-10);
+        const scalar surface = (b == 1 ? 4*capsule::pi : spheroidSurface(1, b));
+        check("volume of a spheroid", s.volume() - 4*capsule::pi/3*b*b, 1e-10);
         check("surface of a spheroid", s.surface() - surface, 1e-10);
         check("centroid along the axis", s.centroid()(0) - 5, 1e-10);
         check("centroid on the axis", s.centroid()(1) - axisAt, 1e-10);
@@ -52,8 +54,19 @@ static void testMeasures()
 }
 
 
-int main()
+int main(int argc, char* argv[])
 {
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+
+    const solvedDirections directions(mesh);
+    if (!directions.axisymmetric())
+    {
+        testPlaneShapes(directions);
+        return nFailed();
+    }
+    testWedgeShapes(directions);
     testLaws();
     testMeasures();
     testSphere();
