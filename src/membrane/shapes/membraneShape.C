@@ -9,7 +9,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneShape.H"
-#include "axisymmetricBasis.H"
 #include "dimensionSets.H"
 #include "unitConversion.H"
 #include "mathematicalConstants.H"
