@@ -226,10 +226,7 @@ Foam::capsule::nodalVectors Foam::capsule::membraneShape::nodes
         }
         result.row(j) = placed(local(chi));
     }
-    return
-        revolved
-      ? dynamic_cast<const axisymmetricBasis&>(basis).mirrored(result)
-      : result;
+    return basis.symmetric(result);
 }
 
 
