@@ -133,8 +133,8 @@ void Foam::capsule::membrane::setInitial
         FatalIOErrorInFunction(dict)
             << "Entry initialStretch is " << stretch << ", but the tension of"
             << " the elastic law " << mechanics_.law().type()
-            << " of membrane " << name_ << " does not depend on the stretch; permitted: 1, or no entry"
-            << exit(FatalIOError);
+            << " of membrane " << name_ << " does not depend on the stretch;"
+            << " permitted: 1, or no entry" << exit(FatalIOError);
     }
     mechanics_.setReference(initial, stretch);
     referenceVolume_ = initial.volume();

@@ -73,8 +73,8 @@ void Foam::capsule::membrane::writeCloud(const fvMesh& mesh) const
 
     const auto writeVectors = [&](const word& name, const nodalVectors& v)
     {
-        IOField<vector>(fieldOf(cloud, name), vectorField(plane_.toVectors(v), mine))
-            .write();
+        const vectorField all(plane_.toVectors(v));
+        IOField<vector>(fieldOf(cloud, name), vectorField(all, mine)).write();
     };
     const auto writeScalars = [&](const word& name, const nodalScalars& v)
     {

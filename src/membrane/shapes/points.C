@@ -114,10 +114,8 @@ void Foam::capsule::shapes::points::setPoints
         x_.bottomRows(n - 1) =
             nodalVectors(x_.bottomRows(n - 1).colwise().reverse());
     }
-    if (plane.axisymmetric())
-    {
-        start_ = startOnAxis(alike*extent, dict, file);
-    }
+    start_ =
+        plane.axisymmetric() ? startOnAxis(alike*extent, dict, file) : 0;
 }
 
 
