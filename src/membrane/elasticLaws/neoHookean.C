@@ -140,7 +140,8 @@ Foam::capsule::nodalScalars Foam::capsule::elasticLaws::neoHookean::stiffness
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::elasticLaws::neoHookean::crossStiffness
+Foam::capsule::nodalScalars
+Foam::capsule::elasticLaws::neoHookean::crossStiffness
 (
     const nodalScalars& l1,
     const nodalScalars& l2

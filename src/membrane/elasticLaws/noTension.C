@@ -58,7 +58,8 @@ Foam::capsule::nodalScalars Foam::capsule::elasticLaws::noTension::stiffness
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::elasticLaws::noTension::crossStiffness
+Foam::capsule::nodalScalars
+Foam::capsule::elasticLaws::noTension::crossStiffness
 (
     const nodalScalars& l1,
     const nodalScalars&

@@ -61,7 +61,8 @@ Foam::capsule::nodalScalars Foam::capsule::elasticLaws::surfaceTension::energy
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::elasticLaws::surfaceTension::stiffness
+Foam::capsule::nodalScalars
+Foam::capsule::elasticLaws::surfaceTension::stiffness
 (
     const nodalScalars& l1,
     const nodalScalars&
@@ -71,7 +72,8 @@ Foam::capsule::nodalScalars Foam::capsule::elasticLaws::surfaceTension::stiffnes
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::elasticLaws::surfaceTension::crossStiffness
+Foam::capsule::nodalScalars
+Foam::capsule::elasticLaws::surfaceTension::crossStiffness
 (
     const nodalScalars& l1,
     const nodalScalars&

@@ -120,7 +120,7 @@ Foam::label Foam::capsule::membrane::nPoints
 }
 
 
-void Foam::capsule::membrane::setReference
+void Foam::capsule::membrane::setInitial
 (
     const closedSurface& initial,
     const membraneShape& shape,
@@ -132,12 +132,18 @@ void Foam::capsule::membrane::setReference
     {
         FatalIOErrorInFunction(dict)
             << "Entry initialStretch is " << stretch << ", but the tension of"
-            << " the elastic law " << mechanics_.law().type() << " of membrane " << name_
-            << " does not depend on the stretch; permitted: 1, or no entry"
-            << exit(FatalIOError);
+            << " the elastic law " << mechanics_.law().type()
+            << " of membrane " << name_ << " does not depend on the stretch;"
+            << " permitted: 1, or no entry" << exit(FatalIOError);
     }
     mechanics_.setReference(initial, stretch);
     referenceVolume_ = initial.volume();
+
+    now_.x = now_.interface = initial.nodes();
+    now_.force = force(initial, initial.areaElement());
+    now_.inertia.setZero(size(), 2);
+    now_.inner.setZero(size(), 2);
+    now_.velocity.setZero(size(), 2);
 }
 
 
@@ -180,21 +186,14 @@ Foam::capsule::membrane::membrane
         nPoints(dict, perimeterInCells(*shape, shapeDict, mesh, width));
 
     basis_ = surfaceBasis::New(plane, n);
-    now_.x = shape->nodes(*basis_);
 
     if (dict.found("load"))
     {
         load_ = membraneLoad::New(input::subDict(dict, "load"), mesh);
     }
 
-    const closedSurface initial(*basis_, now_.x);
-    setReference(initial, *shape, shapeDict);
-
-    now_.interface = now_.x;
-    now_.force = force(initial, initial.areaElement());
-    now_.inertia.setZero(n, 2);
-    now_.inner.setZero(n, 2);
-    now_.velocity.setZero(n, 2);
+    const closedSurface initial(*basis_, shape->nodes(*basis_));
+    setInitial(initial, *shape, shapeDict);
 
     if (!readState(dict.topDict(), mesh.time()))
     {

@@ -14,6 +14,31 @@ License
 #include "passiveParticleCloud.H"
 #include "IOField.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+
+//- Where a field of a cloud is written
+static IOobject fieldOf(const passiveParticleCloud& cloud, const word& name)
+{
+    return IOobject
+    (
+        name,
+        cloud.time().timeName(),
+        cloud,
+        IOobject::NO_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
+} // End namespace capsule
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::capsule::membrane::writeCloud(const fvMesh& mesh) const
@@ -46,26 +71,14 @@ void Foam::capsule::membrane::writeCloud(const fvMesh& mesh) const
     }
     cloud.write();
 
-    const auto io = [&](const word& field)
-    {
-        return IOobject
-        (
-            field,
-            mesh.time().timeName(),
-            cloud,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        );
-    };
     const auto writeVectors = [&](const word& name, const nodalVectors& v)
     {
-        IOField<vector>(io(name), vectorField(plane_.toVectors(v), mine))
-            .write();
+        const vectorField all(plane_.toVectors(v));
+        IOField<vector>(fieldOf(cloud, name), vectorField(all, mine)).write();
     };
     const auto writeScalars = [&](const word& name, const nodalScalars& v)
     {
-        IOField<scalar> field(io(name), mine.size());
+        IOField<scalar> field(fieldOf(cloud, name), mine.size());
         forAll(mine, i)
         {
             field[i] = v(mine[i]);
