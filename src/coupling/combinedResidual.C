@@ -18,14 +18,14 @@ namespace
     using Foam::capsule::interfaceResidual;
 
     //- Rows that a part has of unknowns and residuals, and of responses
-    label unknowns(const interfaceResidual& part)
+    label unknownsOf(const interfaceResidual& part)
     {
         return part.nUnknowns();
     }
 
-    label responses(const interfaceResidual& part)
+    label responseOf(const interfaceResidual& part)
     {
-        return part.fluidResponse().size();
+        return part.nResponse();
     }
 }
 
@@ -79,14 +79,50 @@ Foam::label Foam::capsule::combinedResidual::nUnknowns() const
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::combinedResidual::fluidResponse() const
+Foam::capsule::nodalScalars Foam::capsule::combinedResidual::unknowns() const
 {
-    nodalScalars y;
+    nodalScalars x(nUnknowns());
+    label start = 0;
     for (const interfaceResidual& part : parts_)
     {
-        const nodalScalars found = part.fluidResponse();
-        y.conservativeResize(y.size() + found.size());
-        y.tail(found.size()) = found;
+        x.segment(start, part.nUnknowns()) = part.unknowns();
+        start += part.nUnknowns();
+    }
+    return x;
+}
+
+
+void Foam::capsule::combinedResidual::setUnknowns(const nodalScalars& x)
+{
+    label start = 0;
+    for (interfaceResidual& part : parts_)
+    {
+        part.setUnknowns(x.segment(start, part.nUnknowns()));
+        start += part.nUnknowns();
+    }
+}
+
+
+Foam::label Foam::capsule::combinedResidual::nResponse() const
+{
+    label n = 0;
+    for (const interfaceResidual& part : parts_)
+    {
+        n += part.nResponse();
+    }
+    return n;
+}
+
+
+Foam::capsule::nodalScalars
+Foam::capsule::combinedResidual::fluidResponse() const
+{
+    nodalScalars y(nResponse());
+    label start = 0;
+    for (const interfaceResidual& part : parts_)
+    {
+        y.segment(start, part.nResponse()) = part.fluidResponse();
+        start += part.nResponse();
     }
     return y;
 }
@@ -100,7 +136,7 @@ Foam::capsule::nodalScalars Foam::capsule::combinedResidual::residual
     return mapped
     (
         y,
-        responses,
+        responseOf,
         [](const interfaceResidual& part, const nodalMatrix& yi)
         {
             return part.residual(yi);
@@ -118,7 +154,7 @@ void Foam::capsule::combinedResidual::linearise
     label start = 0;
     for (interfaceResidual& part : parts_)
     {
-        const label n = responses(part);
+        const label n = responseOf(part);
         part.linearise(y.segment(start, n), fullTangent);
         start += n;
     }
@@ -134,7 +170,7 @@ Foam::scalar Foam::capsule::combinedResidual::maxStepLength
     label start = 0;
     for (const interfaceResidual& part : parts_)
     {
-        const label n = responses(part);
+        const label n = responseOf(part);
         result = min(result, part.maxStepLength(dy.segment(start, n)));
         start += n;
     }
@@ -150,7 +186,7 @@ Foam::capsule::nodalMatrix Foam::capsule::combinedResidual::residualChange
     return mapped
     (
         dy,
-        responses,
+        responseOf,
         [](const interfaceResidual& part, const nodalMatrix& dyi)
         {
             return part.residualChange(dyi);
@@ -167,7 +203,7 @@ Foam::capsule::nodalMatrix Foam::capsule::combinedResidual::correction
     return mapped
     (
         residual,
-        unknowns,
+        unknownsOf,
         [](const interfaceResidual& part, const nodalMatrix& residuali)
         {
             return part.correction(residuali);
@@ -184,7 +220,7 @@ Foam::capsule::nodalScalars Foam::capsule::combinedResidual::responseChange
     return mapped
     (
         dx,
-        unknowns,
+        unknownsOf,
         [](const interfaceResidual& part, const nodalMatrix& dxi)
         {
             return part.responseChange(dxi);

@@ -44,20 +44,33 @@ namespace
     enum tangent { earlier, stable, full };
 
     //- The a that makes |r + R a| least
-    nodalScalars combination(const nodalMatrix& R, const nodalScalars& r)
+    class combination
     {
-        if (R.cols() == 0)
+        nodalScalars length_;
+        Eigen::ColPivHouseholderQR<nodalMatrix> qr_;
+
+    public:
+
+        explicit combination(const nodalMatrix& R)
         {
-            return nodalScalars(0);
+            if (R.cols() > 0)
+            {
+                // Columns of one length, so that the rank decision compares
+                // directions
+                length_ = R.colwise().norm().cwiseMax(VSMALL).cwiseInverse();
+                qr_.setThreshold(1e-8);
+                qr_.compute(R*length_.asDiagonal());
+            }
         }
 
-        // Columns of one length, so that the rank decision compares directions
-        const nodalScalars length =
-            R.colwise().norm().cwiseMax(VSMALL).cwiseInverse();
-        Eigen::ColPivHouseholderQR<nodalMatrix> qr(R*length.asDiagonal());
-        qr.setThreshold(1e-8);
-        return length.cwiseProduct(nodalScalars(qr.solve(-r)));
-    }
+        nodalScalars operator()(const nodalScalars& r) const
+        {
+            return
+                length_.size()
+              ? nodalScalars(length_.cwiseProduct(nodalScalars(qr_.solve(-r))))
+              : length_;
+        }
+    };
 }
 
 
@@ -118,11 +131,12 @@ Foam::capsule::nodalScalars Foam::capsule::couplingMethods::quasiNewton::next
     nodalScalars result = x;
     nodalScalars r = stepAt(y);
     nodalMatrix R = learnt();
+    combination best(R);
     tangent known = earlier;
     scalar left = 1;
     for (label i = 0; i < maxSteps_ && left > innerTolerance_; ++i)
     {
-        const nodalScalars a = combination(R, r);
+        const nodalScalars a = best(r);
         const nodalScalars t = r + R*a;
         const nodalScalars dy = dy_*a + problem.responseChange(t);
 
@@ -143,6 +157,7 @@ Foam::capsule::nodalScalars Foam::capsule::couplingMethods::quasiNewton::next
             problem.linearise(y, known == full);
             r = stepAt(y);
             R = learnt();
+            best = combination(R);
             continue;
         }
 

@@ -92,7 +92,7 @@ void Foam::functionObjects::membraneMeasures::writeMeasures
         writeRange(m.tension(curve));
         writeRange(m.secondTension(curve));
         os  << tab << gap << tab << curve.taylorDeformation()
-            << tab << m.elasticEnergy(curve)
+            << tab << (m.hasEnergy() ? m.elasticEnergy(curve) : 0)
             << tab << power << endl;
         return;
     }

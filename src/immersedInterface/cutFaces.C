@@ -13,7 +13,7 @@ License
 #include "hexMatcher.H"
 #include "prismMatcher.H"
 #include "wedgePolyPatch.H"
-#include "bitSet.H"
+#include "HashSet.H"
 #include "StringStream.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -56,12 +56,12 @@ static bool atAxis(const fvMesh& mesh, const label celli)
 void Foam::capsule::cutFaces::checkCells() const
 {
     const fvMesh& mesh = levelSet_.mesh();
-    bitSet cut(mesh.nCells());
+    labelHashSet cut;
     List<string> wrong(Pstream::nProcs());
     string& mine = wrong[Pstream::myProcNo()];
     for (const cutLink& v : links_)
     {
-        if (v.cell != -1 && cut.set(v.cell) && mine.empty())
+        if (v.cell != -1 && cut.insert(v.cell) && mine.empty())
         {
             const string refused = refusal(mesh, v.cell);
             if (!refused.empty())
@@ -171,22 +171,77 @@ void Foam::capsule::cutFaces::addFarSidePart
 }
 
 
-void Foam::capsule::cutFaces::add
+void Foam::capsule::cutFaces::addLinks
 (
     const label facei,
-    const label patchi,
-    const label neighbour,
+    const label P,
+    const label N,
     const scalar sideP,
-    const scalar sideN,
-    const scalar weight
+    const scalar side
 )
 {
     const fvMesh& mesh = levelSet_.mesh();
-    const label own = mesh.faceOwner()[facei];
+    const bool internal = mesh.isInternalFace(facei);
+    const scalar weight = value(mesh.weights(), facei);
+    const auto addLink = [&](const cutLink& link)
+    {
+        if (link.ownsFace)
+        {
+            owners_.append(links_.size());
+        }
+        else
+        {
+            farSideLinks_.append(links_.size());
+        }
+        links_.append(link);
+    };
+    addLink
+    ({
+        mesh.faceOwner()[facei], N, facei, 1, sideP, side == sideP, 1 - weight
+    });
+    addLink
+    ({
+        internal ? mesh.faceNeighbour()[facei] : -1, P, facei, -1, -sideP,
+        side != sideP, weight
+    });
+}
 
-    scalar alpha;
+
+void Foam::capsule::cutFaces::add(const label facei)
+{
+    const fvMesh& mesh = levelSet_.mesh();
+    const label P = levelSet_.inBand(mesh.faceOwner()[facei]);
+    label N = -1;
+    scalar atN = 0;
+    scalar alpha = 0;
+    if (mesh.isInternalFace(facei))
+    {
+        N = levelSet_.inBand(mesh.faceNeighbour()[facei]);
+    }
+    else
+    {
+        N = levelSet_.cells().size() + acrossAlphas_.size();
+        atN = levelSet_.signedDistance
+        (
+            levelSet_.image(cellSearch::New(mesh).beyond(facei)), alpha
+        );
+    }
+    if (P == -1 || N == -1)
+    {
+        // Not at the membrane
+        return;
+    }
+    const auto sideOf = [&](const scalar distance)
+    {
+        return distance < 0 ? -1 : 1;
+    };
+    const scalar sideP = sideOf(levelSet_.distance()(P));
+    const scalar sideN =
+        sideOf(mesh.isInternalFace(facei) ? levelSet_.distance()(N) : atN);
+
+    scalar atFoot;
     const vector2 centre = levelSet_.plane()(mesh.faceCentres()[facei]);
-    scalar atCentre = levelSet_.signedDistance(centre, alpha);
+    scalar atCentre = levelSet_.signedDistance(centre, atFoot);
     if (mag(atCentre) < 1e-10*levelSet_.width())
     {
         // The two halves of a coupled face must agree, whatever the round-off
@@ -196,18 +251,14 @@ void Foam::capsule::cutFaces::add
 
     if (sideP != sideN)
     {
-        farSideLinks_.append(links_.size() + (side == sideP ? 1 : 0));
-        centreAlphas_.append(alpha);
+        if (!mesh.isInternalFace(facei))
+        {
+            acrossAlphas_.append(alpha);
+            acrossDepths_.append(atN);
+        }
+        addLinks(facei, P, N, sideP, side);
+        centreAlphas_.append(atFoot);
         centreDepths_.append(atCentre);
-        links_.append
-        ({
-            own, neighbour, patchi, facei, 1, sideP, side == sideP, 1 - weight
-        });
-        links_.append
-        ({
-            patchi == -1 ? neighbour : -1, own, -1, facei, -1, sideN,
-            side == sideN, weight
-        });
     }
 
     // From the centre to each end at most one crossing is looked for
@@ -249,9 +300,9 @@ Foam::capsule::cutFaces::cutFaces(const membraneLevelSet& levelSet)
     // Faces of cells that are closer to the membrane than they are long, and
     // half as much again
     const fvMesh& mesh = levelSet.mesh();
-    const volScalarField& side = levelSet.side();
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
     const cellSearch& search = cellSearch::New(mesh);
-    bitSet close(mesh.nFaces());
+    DynamicList<label> close;
     forAll(levelSet.cells(), i)
     {
         const label celli = levelSet.cells()[i];
@@ -259,53 +310,67 @@ Foam::capsule::cutFaces::cutFaces(const membraneLevelSet& levelSet)
         {
             for (const label facei : mesh.cells()[celli])
             {
-                close.set(facei);
-            }
-        }
-    }
-
-    for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
-    {
-        if (close[facei])
-        {
-            const label N = mesh.neighbour()[facei];
-            add
-            (
-                facei, -1, N,
-                side[mesh.owner()[facei]], side[N],
-                mesh.weights()[facei]
-            );
-        }
-    }
-    for (const fvPatch& patch : mesh.boundary())
-    {
-        if (!patch.coupled())
-        {
-            continue;
-        }
-        const label patchi = patch.index();
-        const scalarField acrossPatch
-        (
-            side.boundaryField()[patchi].patchNeighbourField()
-        );
-        forAll(patch, i)
-        {
-            if (close[patch.start() + i])
-            {
-                add
+                if
                 (
-                    patch.start() + i, patchi, i,
-                    side[patch.faceCells()[i]], acrossPatch[i],
-                    mesh.weights().boundaryField()[patchi][i]
-                );
+                    mesh.isInternalFace(facei)
+                 || patches[patches.whichPatch(facei)].coupled()
+                )
+                {
+                    close.append(facei);
+                }
             }
         }
+    }
+    Foam::inplaceUniqueSort(close);
+    for (const label facei : close)
+    {
+        add(facei);
     }
     checkCells();
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::capsule::jumpConditions::footPoints Foam::capsule::cutFaces::cells() const
+{
+    const label nBand = levelSet_.cells().size();
+    const label nAcross = acrossAlphas_.size();
+    nodalScalars alphas(nBand + nAcross);
+    nodalScalars depths(nBand + nAcross);
+    alphas <<
+        levelSet_.alpha(),
+        Eigen::Map<const nodalScalars>(acrossAlphas_.cdata(), nAcross);
+    depths <<
+        levelSet_.distance(),
+        Eigen::Map<const nodalScalars>(acrossDepths_.cdata(), nAcross);
+
+    return jumpConditions::footPoints(levelSet_.curve(), alphas, depths);
+}
+
+
+Foam::capsule::jumpConditions::footPoints
+Foam::capsule::cutFaces::ownersNeighbours() const
+{
+    const label nBand = levelSet_.cells().size();
+    DynamicList<scalar> alphas;
+    DynamicList<scalar> depths;
+    for (const label i : owners_)
+    {
+        const label n = links_[i].neighbour;
+        const bool across = (n >= nBand);
+        alphas.append
+        (
+            across ? acrossAlphas_[n - nBand] : levelSet_.alpha()(n)
+        );
+        depths.append
+        (
+            across ? acrossDepths_[n - nBand] : levelSet_.distance()(n)
+        );
+    }
+    return footPoints(alphas, depths);
+}
+
 
 Foam::string Foam::capsule::cutFaces::refusal
 (

@@ -10,53 +10,12 @@ License
 
 #include "immersedInterface.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace capsule
-{
-
-template<class Type>
-static tmp<GeometricField<Type, fvPatchField, volMesh>> zeroField
-(
-    const word& name,
-    const fvMesh& mesh,
-    const dimensionSet& dims
-)
-{
-    return GeometricField<Type, fvPatchField, volMesh>::New
-    (
-        name,
-        mesh,
-        dimensioned<Type>(dims, Zero)
-    );
-}
-
-
-//- Make the values of coupled patches those of the cells beyond them
-template<class Type>
-static void takeNeighbours(GeometricField<Type, fvPatchField, volMesh>& field)
-{
-    field.correctBoundaryConditions();
-    for (fvPatchField<Type>& pf : field.boundaryFieldRef())
-    {
-        if (pf.coupled())
-        {
-            const Field<Type> neighbours(pf.patchNeighbourField());
-            static_cast<Field<Type>&>(pf) = neighbours;
-        }
-    }
-}
-
-} // End namespace capsule
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<class Cells>
-Foam::scalar Foam::capsule::immersedInterface::volume(const Cells& cells) const
+Foam::scalar Foam::capsule::immersedInterface::volume
+(
+    const labelUList& cells
+) const
 {
     scalar sum = 0;
     for (const label celli : cells)
@@ -88,31 +47,6 @@ void Foam::capsule::immersedInterface::addOnFace
 }
 
 
-template<class Type, class Gradient>
-Gradient Foam::capsule::immersedInterface::addGaussGradient
-(
-    const GeometricField<Type, fvPatchField, volMesh>& jump,
-    GeometricField<Gradient, fvPatchField, volMesh>& gradient
-) const
-{
-    const fvMesh& mesh = levelSet_.mesh();
-    Gradient total(Zero);
-
-    for (const cutFaces::cutLink& v : faces_.links())
-    {
-        if (v.cell != -1)
-        {
-            const Gradient flux =
-                v.sign*cutFaces::value(mesh.Sf(), v.face)
-               *v.weight*v.side*seen(jump, v);
-            gradient[v.cell] += flux/mesh.V()[v.cell];
-            total += flux;
-        }
-    }
-    return total;
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::immersedInterface::immersedInterface
@@ -125,24 +59,24 @@ Foam::capsule::immersedInterface::immersedInterface
 )
 :
     levelSet_(name, mesh, plane, curve, bandWidth),
-    cells_(curve, levelSet_.alpha(), levelSet_.distance()),
     faces_(levelSet_),
-    cut_(mesh.nCells()),
+    cells_(faces_.cells()),
     cutVolume_(0),
     insideVolume_(0),
     centres_(faces_.centres()),
     farSideParts_(faces_.farSidePoints()),
-    U_(zeroField<vector>("jumpU:" + name, mesh, dimVelocity)),
-    p_(zeroField<scalar>("jumpp:" + name, mesh, dimPressure)),
-    gradp_(zeroField<vector>("jumpGradp:" + name, mesh, dimPressure/dimLength))
+    owners_(faces_.ownersNeighbours())
 {
+    DynamicList<label> cut;
     for (const cutFaces::cutLink& v : faces_.links())
     {
         if (v.cell != -1)
         {
-            cut_.set(v.cell);
+            cut.append(v.cell);
         }
     }
+    Foam::inplaceUniqueSort(cut);
+    cut_ = cut;
     cutVolume_ = volume(cut_);
     insideVolume_ = volume(levelSet_.inside());
 }
@@ -150,23 +84,18 @@ Foam::capsule::immersedInterface::immersedInterface
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::vector Foam::capsule::immersedInterface::jumpU(const label celli) const
+{
+    const label i = levelSet_.inBand(celli);
+    return i == -1 ? vector(Zero) : levelSet_.plane().toVector(U_.row(i));
+}
+
+
 void Foam::capsule::immersedInterface::setJumps(const jumpConditions& jumps)
 {
-    const nodalVectors U = jumps.velocity(cells_);
-    const nodalScalars p = jumps.pressure(cells_);
-    const nodalVectors gradp = jumps.pressureGradient(cells_);
-
-    forAll(levelSet_.cells(), i)
-    {
-        const label celli = levelSet_.cells()[i];
-        U_[celli] = levelSet_.plane().toVector(U.row(i));
-        p_[celli] = p(i);
-        gradp_[celli] = levelSet_.plane().toVector(gradp.row(i));
-    }
-    takeNeighbours(U_);
-    takeNeighbours(p_);
-    takeNeighbours(gradp_);
-
+    U_ = jumps.velocity(cells_);
+    p_ = jumps.pressure(cells_);
+    gradp_ = jumps.pressureGradient(owners_);
     farSideU_ = jumps.velocity(farSideParts_);
 
     // What linear interpolation to a face gets wrong of its average, in the
@@ -228,9 +157,9 @@ Foam::vector Foam::capsule::immersedInterface::addLaplacian
         {
             const vector flux =
                 mu*cutFaces::value(delta, v.face)*cutFaces::value(mesh.magSf(), v.face)
-               *v.side*seen(U_, v);
+               *v.side*seenU(v);
             source[v.cell] +=
-                (levelSet_.side()[v.cell] < 0 ? scale : 1)
+                (v.side < 0 ? scale : 1)
                *flux/mesh.V()[v.cell];
             total += flux;
         }
@@ -244,7 +173,20 @@ Foam::vector Foam::capsule::immersedInterface::addGradient
     volVectorField& gradient
 ) const
 {
-    return returnReduce(addGaussGradient(p_, gradient), sumOp<vector>());
+    const fvMesh& mesh = levelSet_.mesh();
+    vector total(Zero);
+    for (const cutFaces::cutLink& v : faces_.links())
+    {
+        if (v.cell != -1)
+        {
+            const vector flux =
+                v.sign*v.weight*v.side*p_(v.neighbour)
+               *cutFaces::value(mesh.Sf(), v.face);
+            gradient[v.cell] += flux/mesh.V()[v.cell];
+            total += flux;
+        }
+    }
+    return returnReduce(total, sumOp<vector>());
 }
 
 
@@ -253,7 +195,16 @@ void Foam::capsule::immersedInterface::addGradient
     volTensorField& gradient
 ) const
 {
-    addGaussGradient(U_, gradient);
+    const fvMesh& mesh = levelSet_.mesh();
+    for (const cutFaces::cutLink& v : faces_.links())
+    {
+        if (v.cell != -1)
+        {
+            gradient[v.cell] +=
+                v.sign*v.weight*v.side/mesh.V()[v.cell]
+               *cutFaces::value(mesh.Sf(), v.face)*seenU(v);
+        }
+    }
 }
 
 
@@ -271,7 +222,7 @@ void Foam::capsule::immersedInterface::addConvection
         {
             source[v.cell] -=
                 rho*scale[v.cell]*v.sign*cutFaces::value(flux, v.face)
-               *v.weight*v.side*seen(U_, v)/levelSet_.mesh().V()[v.cell];
+               *v.weight*v.side*seenU(v)/levelSet_.mesh().V()[v.cell];
         }
     }
 }
@@ -298,26 +249,23 @@ void Foam::capsule::immersedInterface::addFlux
 {
     const fvMesh& mesh = levelSet_.mesh();
 
-    for (const cutFaces::cutLink& v : faces_.links())
+    forAll(faces_.owners(), i)
     {
-        if (v.ownsFace)
-        {
-            const vector& S = cutFaces::value(mesh.Sf(), v.face);
-            const vector U = v.weight*seen(U_, v);
-            const vector gradp = v.weight*seen(gradp_, v);
-            const scalar snGradp =
-                v.sign*cutFaces::value(mesh.nonOrthDeltaCoeffs(), v.face)*seen(p_, v);
+        const cutFaces::cutLink& v = faces_.links()[faces_.owners()[i]];
+        const vector& S = cutFaces::value(mesh.Sf(), v.face);
+        const vector gradp = levelSet_.plane().toVector(gradp_.row(i));
+        const scalar snGradp =
+            v.sign*cutFaces::value(mesh.nonOrthDeltaCoeffs(), v.face)
+           *p_(v.neighbour);
 
-            addOnFace(flux, v.face, v.side*(U & S));
-            addOnFace
-            (
-                pressureFlux,
-                v.face,
-                v.side*((gradp & S) - snGradp*mag(S))
-            );
-        }
+        addOnFace(flux, v.face, v.side*v.weight*(seenU(v) & S));
+        addOnFace
+        (
+            pressureFlux,
+            v.face,
+            v.side*(v.weight*(gradp & S) - snGradp*mag(S))
+        );
     }
-
     forAll(faces_.farSideParts(), i)
     {
         const cutFaces::farSidePart& b = faces_.farSideParts()[i];

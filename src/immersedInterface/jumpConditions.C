@@ -45,7 +45,7 @@ Foam::capsule::jumpConditions::footPoints::footPoints
     const nodalScalars& d
 )
 :
-    interpolation(curve.basis().evaluation(alpha)),
+    functions(curve.basis().functions(alpha)),
     normal(alpha.size(), 2),
     distance(d)
 {
@@ -94,6 +94,7 @@ Foam::capsule::jumpConditions::jumpConditions
     terms_.col(S1) = curve.ds(p1);
     terms_.col(KAPPA) = kappa;
     terms_.middleCols<2>(US) = curve.ds(scaled(b, t));
+    terms_ = (curve.basis().analysis()*terms_).eval();
 }
 
 
@@ -104,7 +105,7 @@ Foam::capsule::nodalVectors Foam::capsule::jumpConditions::velocity
     const footPoints& at
 ) const
 {
-    const nodalMatrix u = at.interpolation*terms_.middleCols<4>(U1);
+    const nodalMatrix u = at.functions*terms_.middleCols<4>(U1);
     const nodalScalars& d = at.distance;
 
     return scaled(d, u.leftCols(2)) + scaled(d.cwiseAbs2()/2, u.rightCols(2));
@@ -117,7 +118,7 @@ Foam::capsule::nodalVectors Foam::capsule::jumpConditions::velocityCurvature
     const nodalVectors& d
 ) const
 {
-    const nodalMatrix u = at.interpolation*terms_;
+    const nodalMatrix u = at.functions*terms_;
     const nodalScalars n = dot(d, at.normal);
     const nodalScalars t =
         d.col(1).cwiseProduct(at.normal.col(0))
@@ -138,7 +139,7 @@ Foam::capsule::nodalScalars Foam::capsule::jumpConditions::pressure
     const footPoints& at
 ) const
 {
-    const nodalMatrix p = at.interpolation*terms_.middleCols<3>(P0);
+    const nodalMatrix p = at.functions*terms_.middleCols<3>(P0);
     const nodalScalars& d = at.distance;
 
     return p.col(0) + d.cwiseProduct(p.col(1) + d.cwiseProduct(p.col(2))/2);
@@ -150,7 +151,7 @@ Foam::capsule::nodalVectors Foam::capsule::jumpConditions::pressureGradient
     const footPoints& at
 ) const
 {
-    const nodalMatrix p = at.interpolation*terms_.middleCols<5>(P1);
+    const nodalMatrix p = at.functions*terms_.middleCols<5>(P1);
     const nodalScalars& d = at.distance;
     const nodalScalars normal = p.col(0) + d.cwiseProduct(p.col(1));
 

@@ -142,21 +142,21 @@ Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::fit
     forAll(cells, i)
     {
         const label celli = cells[i];
-        const scalar cellSide = levelSet.side()[celli];
+        const scalar cellSide = (levelSet.distance()(i) < 0 ? -1 : 1);
         const scalar beyond = (jumping && cellSide != side_ ? cellSide : 0);
 
-        vector u = U[celli];
+        vector2 u = levelSet.plane()(U[celli]);
         if (beyond != 0)
         {
-            u -= beyond*interface_.jumpU()[celli];
+            u -= beyond*interface_.jumpU().row(i);
         }
-        local.block<1, 2>(i, 0) = levelSet.plane()(u);
+        local.block<1, 2>(i, 0) = u;
 
         if (p)
         {
             local(i, 2) =
                 (*p)[celli]
-              - (beyond != 0 ? beyond*interface_.jumpp()[celli] : 0);
+              - (beyond != 0 ? beyond*interface_.jumpp()(i) : 0);
         }
     }
     const nodalMatrix values = gather(local);

@@ -192,13 +192,9 @@ void Foam::capsule::diffuseMembrane::addViscosity(volScalarField& mu) const
         return;
     }
     const scalar excess = (ratio_ - 1)*mu_;
-    const volScalarField& side = levelSet_->side();
-    forAll(side, celli)
+    for (const label celli : levelSet_->inside())
     {
-        if (side[celli] < 0)
-        {
-            mu[celli] += excess;
-        }
+        mu[celli] += excess;
     }
     forAll(levelSet_->cells(), i)
     {
@@ -213,7 +209,7 @@ void Foam::capsule::diffuseMembrane::addViscosity(volScalarField& mu) const
         {
             const scalar pi = constant::mathematical::pi;
             const scalar inside = 0.5*(1 - d - Foam::sin(pi*d)/pi);
-            mu[celli] += (inside - (side[celli] < 0 ? 1 : 0))*excess;
+            mu[celli] += (inside - (d < 0 ? 1 : 0))*excess;
         }
     }
 }

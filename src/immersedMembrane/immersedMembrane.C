@@ -56,7 +56,14 @@ Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::filter
 }
 
 
-Foam::capsule::closedSurface Foam::capsule::immersedMembrane::predictedSurface() const
+void Foam::capsule::immersedMembrane::setFlowScheme()
+{
+    flowScheme_.reset(new timeScheme(mesh_, "ddt(U)", membrane_.nOld()));
+}
+
+
+Foam::capsule::closedSurface
+Foam::capsule::immersedMembrane::predictedSurface() const
 {
     return closedSurface
     (
@@ -88,6 +95,7 @@ void Foam::capsule::immersedMembrane::extrapolateState(const nodalVectors& nodes
         now.velocity += ratio*(old.velocity - older.velocity);
         now.inner += ratio*(old.inner - older.inner);
     }
+    setFlowScheme();
 }
 
 
@@ -172,7 +180,8 @@ Foam::capsule::immersedMembrane::immersedMembrane
     membrane_(name, dict, plane, mesh),
     ratio_(membrane_.viscosity()/viscosity)
 {
-    if (timeScheme(mesh_, "ddt(U)", 0).c != 0)
+    setFlowScheme();
+    if (flowScheme().c != 0)
     {
         layer_.reset(new momentumLayer);
     }
@@ -248,7 +257,7 @@ Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted
 void Foam::capsule::immersedMembrane::restore()
 {
     membrane_.restore();
-
+    setFlowScheme();
     // Its curve goes with the interface
     motion_.clear();
 }

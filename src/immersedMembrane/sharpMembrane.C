@@ -127,8 +127,7 @@ Foam::capsule::sharpMembrane::sharpMembrane
 )
 :
     immersedMembrane(name, dict, plane, mesh, density, viscosity),
-    scale_(1/ratio_),
-    viscousScale_(1),
+    scaling_(ratio_),
     U_(nullptr)
 {}
 
@@ -141,7 +140,7 @@ void Foam::capsule::sharpMembrane::start(const volVectorField& U)
     membrane::state& now = membrane_.now();
     interface_.reset(makeInterface(now.interface));
     setScale();
-    if (membrane_.nOld() == 0 && inertial())
+    if (membrane_.nOld() == 0 && scaling_.inertial())
     {
         // No boundary layers yet
         now.inertia = scaled(-viscousForce(now), curve().tangent());
@@ -154,7 +153,7 @@ void Foam::capsule::sharpMembrane::start(const volVectorField& U)
         // No velocity yet but that of the initial field
         now.velocity = (*fit_)(U, nullptr).value;
     }
-    else if (keepsInterfaces())
+    else if (unsteady())
     {
         old_[0].reset(makeInterface(membrane_.old(0).interface));
         setJumps(*old_[0], membrane_.old(0));
@@ -168,7 +167,7 @@ void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
     const nodalVectors nodes = filter(predictedCurve, shapeWaves_)*predictedCurve.nodes();
     extrapolateState(nodes);
 
-    if (keepsInterfaces())
+    if (unsteady())
     {
         old_[1].reset(old_[0].release());
         old_[0].reset(interface_.release());
@@ -183,7 +182,7 @@ void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
     fluid_ = oneSidedFit::fitted();
 
     setScale();
-    if (inertial())
+    if (scaling_.inertial())
     {
         oldViscousForce_ = viscousForce(membrane_.old(0));
     }
@@ -224,7 +223,7 @@ void Foam::capsule::sharpMembrane::restore()
 Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::unknowns() const
 {
     const nodalScalars f = immersedMembrane::unknowns();
-    if (!inertial())
+    if (!scaling_.inertial())
     {
         return f;
     }
@@ -237,7 +236,7 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::unknowns() const
 void Foam::capsule::sharpMembrane::setUnknowns(const nodalScalars& x)
 {
     immersedMembrane::setUnknowns(x);
-    if (inertial())
+    if (scaling_.inertial())
     {
         membrane_.now().inertia =
             basis().unpack(x.tail(nForce())/levelSet().width());
@@ -286,12 +285,12 @@ void Foam::capsule::sharpMembrane::addSources
         interface_->addConvection(*flux, rho_, scale, sources.momentum);
     }
     const vector found =
-        interface_->addLaplacian(mu_, viscousScale_, sources.momentum)
+        interface_->addLaplacian(mu_, scaling_.viscousScale(), sources.momentum)
       - interface_->addGradient(sources.gradient);
     interface_->addFlux(sources.flux, sources.pressureFlux);
     interface_->addInterpolationDivergence(sources.divergence);
 
-    if (!inertial())
+    if (!scaling_.inertial())
     {
         // Momentum is conserved only to the order of the jumps: what is
         // missing of the membrane's resultant would show as noise of the

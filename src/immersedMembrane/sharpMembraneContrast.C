@@ -35,7 +35,7 @@ Foam::capsule::nodalMatrix Foam::capsule::sharpMembrane::fluidDerivative
         const nodalScalars nx = curve().normal().col(0).head(n);
         const nodalScalars ny = curve().normal().col(1).head(n);
         const nodalMatrix normal =
-            (1 - ratio_)*(1 - pressureWeight())
+            (1 - ratio_)*(1 - scaling_.pressureWeight())
            *(
                 nx.asDiagonal()*traction_.topRows(n)
               + ny.asDiagonal()*traction_.bottomRows(n)
@@ -79,7 +79,7 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastTraction
     viscous += scaled(dot(shortWaves, t), t);
 
     // The resultant is known; pressure a.n with the constant a fills it
-    const nodalVectors traction = ratio_*viscous - scaled(pressure/scale_, n);
+    const nodalVectors traction = ratio_*viscous - scaled(pressure/scaling_.scale(), n);
     Eigen::Matrix<scalar, 2, 2> normals;
     normals.row(0) = curve().resultant(scaled(n.col(0), n));
     normals.row(1) = curve().resultant(scaled(n.col(1), n));
@@ -90,8 +90,8 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastTraction
     }
     const vector2 a =
         (curve().resultant(traction) - momentumRate())*normals.inverse();
-    pressure += scale_*n*a.transpose();
-    if (ratio_ > 1 && !inertial() && !curve().axisymmetric())
+    pressure += scaling_.scale()*n*a.transpose();
+    if (ratio_ > 1 && !scaling_.inertial() && !curve().axisymmetric())
     {
         // So is the moment about the centroid, which the rate of momentum does
         // not change; shear along the membrane fills it
@@ -106,12 +106,12 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastTraction
             );
         };
         const nodalVectors corrected =
-            ratio_*viscous - scaled(pressure/scale_, n);
+            ratio_*viscous - scaled(pressure/scaling_.scale(), n);
         viscous -= t*(moment(corrected)/(ratio_*moment(t)));
     }
 
     membrane_.now().inner.col(0) = vorticity;
-    membrane_.now().inner.col(1) = pressure/scale_;
+    membrane_.now().inner.col(1) = pressure/scaling_.scale();
 
-    return (1 - ratio_)*(viscous - pressureWeight()*scaled(pressure, n));
+    return (1 - ratio_)*(viscous - scaling_.pressureWeight()*scaled(pressure, n));
 }

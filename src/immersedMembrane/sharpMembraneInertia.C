@@ -13,37 +13,6 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::capsule::sharpMembrane::keepsInterfaces() const
-{
-    return timeScheme(mesh_, "ddt(U)", 0).c != 0;
-}
-
-
-Foam::scalar Foam::capsule::sharpMembrane::viscousNumber
-(
-    const scalar viscosity
-) const
-{
-    const scalar inertia =
-        rho_*timeScheme(mesh_, "ddt(U)", membrane_.nOld()).c
-       *sqr(interface_->levelSet().width());
-
-    return inertia > 0 ? viscosity/inertia : GREAT;
-}
-
-
-Foam::scalar Foam::capsule::sharpMembrane::lowerViscousNumber() const
-{
-    return viscousNumber(min(mu_, membrane_.viscosity()));
-}
-
-
-Foam::scalar Foam::capsule::sharpMembrane::relaxation() const
-{
-    return 1/(1 + 0.1/lowerViscousNumber());
-}
-
-
 Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::viscousForce
 (
     const membrane::state& s
@@ -60,30 +29,18 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::viscousForce
 
 void Foam::capsule::sharpMembrane::setScale()
 {
-    if (ratio_ == 1)
+    if (ratio_ != 1)
     {
-        return;
+        const scalar inertia =
+            rho_*flowScheme().c*sqr(interface_->levelSet().width());
+        scaling_ = momentumScaling(ratio_, inertia > 0 ? mu_/inertia : GREAT);
     }
-    const scalar inertia = 1/viscousNumber(mu_);
-    scale_ = (inertia + 4)/(inertia + 4*ratio_);
-    viscousScale_ = scale_*ratio_;
-    if (mag(viscousScale_ - 1) < 0.01)
-    {
-        scale_ = 1/ratio_;
-        viscousScale_ = 1;
-    }
-}
-
-
-Foam::scalar Foam::capsule::sharpMembrane::pressureWeight() const
-{
-    return (1/scale_ - 1)/(ratio_ - 1);
 }
 
 
 Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::inertia() const
 {
-    const timeScheme scheme(mesh_, "ddt(U)", membrane_.nOld());
+    const timeScheme& scheme = flowScheme();
     const membrane::state& now = membrane_.now();
 
     nodalVectors force =
@@ -102,16 +59,16 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::inertia() const
     const nodalScalars vorticity = now.inner.col(0);
     const nodalScalars pressure = now.inner.col(1);
     const nodalScalars normal =
-        (1 - viscousScale_)*curve().divergence(vorticity)
-      + (1 - scale_)*dot(force, curve().normal());
+        (1 - scaling_.viscousScale())*curve().divergence(vorticity)
+      + (1 - scaling_.scale())*dot(force, curve().normal());
     nodalScalars tangential =
-        (scale_ - 1/ratio_)*curve().ds(pressure)
+        (scaling_.scale() - 1/ratio_)*curve().ds(pressure)
       + (1 - 1/ratio_)*dot(force, curve().tangent());
-    if (inertial())
+    if (scaling_.inertial())
     {
         const nodalScalars along =
             curve().ds(dot(resolvedForce(), curve().normal()));
-        const scalar a = relaxation();
+        const scalar a = scaling_.relaxation();
         tangential = a*tangential + (1 - a)*(oldViscousForce_ - along);
     }
 
@@ -145,13 +102,7 @@ Foam::capsule::sharpMembrane::pressureLaplacian() const
 
     const nodalScalars inside =
         fitSide() > 0 ? nodalScalars(fitted - jump) : fitted;
-    return -rho_*((1 - scale_)*inside + jump);
-}
-
-
-Foam::scalar Foam::capsule::sharpMembrane::feedback() const
-{
-    return 0.15/lowerViscousNumber();
+    return -rho_*((1 - scaling_.scale())*inside + jump);
 }
 
 
@@ -165,14 +116,14 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::relaxedForce
         resolving_*curve().ds(dot(f, curve().normal()));
 
     return
-        levelSet().width()*(1 - relaxation())
+        levelSet().width()*(1 - scaling_.relaxation())
        *basis().pack(scaled(along, curve().tangent()));
 }
 
 
 Foam::capsule::vector2 Foam::capsule::sharpMembrane::momentumRate() const
 {
-    const timeScheme scheme(mesh_, "ddt(U)", membrane_.nOld());
+    const timeScheme& scheme = flowScheme();
 
     const auto flow = [&](const membrane::state& s)
     {
@@ -196,7 +147,7 @@ Foam::capsule::vector2 Foam::capsule::sharpMembrane::momentumRate() const
 
 Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::inertiaResidual() const
 {
-    if (!inertial())
+    if (!scaling_.inertial())
     {
         return nodalScalars(0);
     }
@@ -210,7 +161,7 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::inertiaCorrection
     const nodalScalars& residual
 ) const
 {
-    return residual/(1 + feedback()) - relaxedForce(df);
+    return residual/(1 + scaling_.feedback()) - relaxedForce(df);
 }
 
 
@@ -219,12 +170,12 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::inertiaResidualChange
     const nodalScalars& dx
 ) const
 {
-    if (!inertial())
+    if (!scaling_.inertial())
     {
         return nodalScalars(0);
     }
     const label n = dx.size()/2;
-    return -(1 + feedback())*(dx.tail(n) + relaxedForce(dx.head(n)));
+    return -(1 + scaling_.feedback())*(dx.tail(n) + relaxedForce(dx.head(n)));
 }
 
 
@@ -232,7 +183,7 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::inertiaResidualChange
 
 void Foam::capsule::sharpMembrane::addFreshCells(volVectorField& ddtU) const
 {
-    const timeScheme scheme(mesh_, "ddt(U)", membrane_.nOld());
+    const timeScheme& scheme = flowScheme();
     const scalar weights[2] = {scheme.c0, -scheme.c00};
     const membraneLevelSet& present = interface_->levelSet();
 
@@ -245,19 +196,18 @@ void Foam::capsule::sharpMembrane::addFreshCells(volVectorField& ddtU) const
 
         // The old value as the new side of the cell saw it
         const membraneLevelSet& old = old_[level]->levelSet();
-        const volVectorField& jump = old_[level]->jumpU();
         for (const label celli : present.inside())
         {
-            if (old.side()[celli] > 0)
+            if (!old.contains(celli))
             {
-                ddtU[celli] -= weights[level]*jump[celli];
+                ddtU[celli] -= weights[level]*old_[level]->jumpU(celli);
             }
         }
         for (const label celli : old.inside())
         {
-            if (present.side()[celli] > 0)
+            if (!present.contains(celli))
             {
-                ddtU[celli] += weights[level]*jump[celli];
+                ddtU[celli] += weights[level]*old_[level]->jumpU(celli);
             }
         }
     }

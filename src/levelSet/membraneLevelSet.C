@@ -40,14 +40,63 @@ void Foam::capsule::membraneLevelSet::project
 
 
 Foam::tmp<Foam::volScalarField>
-Foam::capsule::membraneLevelSet::newField() const
+Foam::capsule::membraneLevelSet::newField(const scalar outside) const
 {
-    return volScalarField::New
+    tmp<volScalarField> tfield
     (
-        "levelSet." + name_,
-        mesh_,
-        dimensionedScalar(dimLength, Zero)
+        volScalarField::New
+        (
+            "levelSet." + name_,
+            mesh_,
+            dimensionedScalar("outside", dimLength, outside)
+        )
     );
+    UIndirectList<scalar>(tfield.ref(), inside_) = -outside;
+    return tfield;
+}
+
+
+void Foam::capsule::membraneLevelSet::setCells
+(
+    const UList<label>& candidates,
+    const nodalVectors& normals,
+    const scalar reach
+)
+{
+    const pointField& centres = cellSearch::New(mesh_).centres();
+    DynamicList<scalar> alphas;
+    DynamicList<scalar> distances;
+
+    for (const label celli : candidates)
+    {
+        const vector2 x = image(centres[celli]);
+        const point c = plane_.toPoint(x);
+        pointIndexHit hit = tree_->findNearest(c, sqr(reach));
+        scalar distance;
+        if (hit.hit())
+        {
+            scalar alpha;
+            project(x, hit.index(), alpha, distance);
+            cells_.append(celli);
+            alphas.append(alpha);
+            distances.append(distance);
+        }
+        else
+        {
+            // Far off, the nearest sample tells the side
+            hit = tree_->findNearest(c, sqr(GREAT));
+            distance =
+                (x - plane_(hit.hitPoint())).dot(normals.row(hit.index()));
+        }
+        if (distance < 0)
+        {
+            inside_.append(celli);
+        }
+    }
+
+    alpha_ = Eigen::Map<const nodalScalars>(alphas.cdata(), alphas.size());
+    distance_ =
+        Eigen::Map<const nodalScalars>(distances.cdata(), distances.size());
 }
 
 
@@ -69,28 +118,13 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     samples_(plane.toPoints(curve.sampled(4*curve.size()))),
     width_(0),
     band_(0),
-    centre_(plane(boundBox(samples_, false).midpoint())),
-    side_
-    (
-        IOobject
-        (
-            "side:" + name,
-            mesh.time().timeName(),
-            mesh,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        ),
-        mesh,
-        dimensionedScalar("one", dimless, 1)
-    )
+    centre_(plane(boundBox(samples_, false).midpoint()))
 {
     // Geometry that the processors make together: not later, on those alone
     // that hold a part of the membrane
     mesh.C();
     mesh.nonOrthDeltaCoeffs();
 
-    const nodalVectors corners = curve.sampled(samples_.size());
     treeBoundBox bounds(samples_);
     bounds.min() -= vector::uniform(0.1*curve.perimeter());
     bounds.max() += vector::uniform(0.1*curve.perimeter());
@@ -159,36 +193,13 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     const scalar reach = band_ + sampleSpacing;
     findObstacles(reach);
 
-    DynamicList<scalar> alphas;
-    DynamicList<scalar> distances;
-
-    for (const label celli : around(reach))
+    nodalVectors normals(samples_.size(), 2);
+    for (label i = 0; i < samples_.size(); ++i)
     {
-        const point c = plane.toPoint(image(centres[celli]));
-        const pointIndexHit hit = tree_->findNearest(c, sqr(reach));
-        if (hit.hit())
-        {
-            scalar alpha, distance;
-            project(plane(c), hit.index(), alpha, distance);
-            side_[celli] = (distance < 0 ? -1 : 1);
-            cells_.append(celli);
-            alphas.append(alpha);
-            distances.append(distance);
-        }
-        else if (inPolygon(plane(c), corners))
-        {
-            side_[celli] = -1;
-        }
-        if (side_[celli] < 0)
-        {
-            inside_.append(celli);
-        }
+        normals.row(i) =
+            turned(curve.point(i*constant::mathematical::twoPi/samples_.size(), 1));
     }
-    side_.correctBoundaryConditions();
-
-    alpha_ = Eigen::Map<const nodalScalars>(alphas.cdata(), alphas.size());
-    distance_ =
-        Eigen::Map<const nodalScalars>(distances.cdata(), distances.size());
+    setCells(around(reach), normals, reach);
 }
 
 
@@ -223,10 +234,9 @@ Foam::scalar Foam::capsule::membraneLevelSet::signedDistance
 
 Foam::tmp<Foam::volScalarField> Foam::capsule::membraneLevelSet::near() const
 {
-    tmp<volScalarField> tfield(newField());
+    tmp<volScalarField> tfield(newField(band_));
     volScalarField& field = tfield.ref();
 
-    field.primitiveFieldRef() = band_*side_.primitiveField();
     forAll(cells_, i)
     {
         field[cells_[i]] = max(-band_, min(band_, distance_(i)));
@@ -253,15 +263,13 @@ Foam::tmp<Foam::volScalarField> Foam::capsule::membraneLevelSet::near() const
 
 Foam::tmp<Foam::volScalarField> Foam::capsule::membraneLevelSet::whole() const
 {
-    tmp<volScalarField> tfield(newField());
+    tmp<volScalarField> tfield(newField(1));
     volScalarField& field = tfield.ref();
 
     forAll(field, celli)
     {
         scalar alpha;
-        field[celli] =
-            side_[celli]
-           *mag(signedDistance(plane_(mesh_.C()[celli]), alpha));
+        field[celli] *= mag(signedDistance(plane_(mesh_.C()[celli]), alpha));
     }
     forAll(field.boundaryField(), patchi)
     {

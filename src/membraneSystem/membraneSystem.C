@@ -40,14 +40,12 @@ void Foam::capsule::membraneSystem::predict()
 
     // What cannot be placed is an error on all processors alike
     const bool throwing = FatalError.throwExceptions();
-    label size = 0;
     try
     {
         for (immersedMembrane& m : parts_)
         {
             ++nMoved_;
             m.predict(*method_);
-            size += m.unknowns().size();
         }
         placed_ = true;
     }
@@ -66,15 +64,6 @@ void Foam::capsule::membraneSystem::predict()
     setScale();
     setViscosity();
     setFreshCells();
-
-    unknowns_.resize(size);
-    label start = 0;
-    for (const immersedMembrane& m : parts_)
-    {
-        const nodalScalars f = m.unknowns();
-        unknowns_.segment(start, f.size()) = f;
-        start += f.size();
-    }
 
     method_->start();
 }
@@ -163,14 +152,10 @@ void Foam::capsule::membraneSystem::correct(const bool solved)
 
     if (!converged_ && iter_ < maxIter_)
     {
-        unknowns_ = method_->next(unknowns_, *residual_);
-        label start = 0;
-        for (immersedMembrane& m : parts_)
-        {
-            const label n = m.unknowns().size();
-            m.setUnknowns(unknowns_.segment(start, n));
-            start += n;
-        }
+        residual_->setUnknowns
+        (
+            method_->next(residual_->unknowns(), *residual_)
+        );
     }
 }
 

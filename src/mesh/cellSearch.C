@@ -10,6 +10,7 @@ License
 
 #include "cellSearch.H"
 #include "solvedDirections.H"
+#include "syncTools.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -113,6 +114,8 @@ Foam::capsule::cellSearch::cellSearch(const fvMesh& mesh)
         largest_ = max(largest_, sizes_[celli].largest());
     }
     reduce(largest_, maxOp<scalar>());
+
+    syncTools::swapBoundaryCellList(mesh, centres_, beyond_);
 
     treeBoundBox bounds(mesh.bounds());
     bounds.inflate(0.01);

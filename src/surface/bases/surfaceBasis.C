@@ -129,12 +129,21 @@ Foam::capsule::nodalMatrix Foam::capsule::surfaceBasis::evaluation
     const nodalScalars& alphas
 ) const
 {
+    return functions(alphas)*analysis_;
+}
+
+
+Foam::capsule::nodalMatrix Foam::capsule::surfaceBasis::functions
+(
+    const nodalScalars& alphas
+) const
+{
     nodalMatrix f(alphas.size(), n_);
     for (Eigen::Index i = 0; i < alphas.size(); ++i)
     {
         f.row(i) = functions(alphas(i)).transpose();
     }
-    return f*analysis_;
+    return f;
 }
 
 
