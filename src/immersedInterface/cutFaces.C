@@ -93,22 +93,88 @@ void Foam::capsule::cutFaces::checkCells() const
 }
 
 
+Foam::Pair<Foam::capsule::cutFaces::located> Foam::capsule::cutFaces::ends
+(
+    const label facei,
+    Map<located>& known
+) const
+{
+    const fvMesh& mesh = levelSet_.mesh();
+    const face& f = mesh.faces()[facei];
+    const Pair<vector2> ends(levelSet_.plane().ends(mesh.points(), f));
+
+    // Known by the lowest point of the mesh there, front or back
+    labelPair lowest(labelMax, labelMax);
+    for (const label pointi : f)
+    {
+        const vector2 x = levelSet_.plane()(mesh.points()[pointi]);
+        const bool second =
+            (x - ends.second()).norm() < (x - ends.first()).norm();
+        label& p = second ? lowest.second() : lowest.first();
+        p = min(p, pointi);
+    }
+    const auto find = [&](const vector2& x, const label pointi)
+    {
+        const auto iter = known.cfind(pointi);
+        if (iter.found())
+        {
+            return *iter;
+        }
+        located l{x, 0, 0};
+        l.distance = levelSet_.signedDistance(x, l.alpha);
+        known.insert(pointi, l);
+        return l;
+    };
+    return Pair<located>
+    (
+        find(ends.first(), lowest.first()),
+        find(ends.second(), lowest.second())
+    );
+}
+
+
+bool Foam::capsule::cutFaces::clear
+(
+    const label facei,
+    const label P,
+    const label N,
+    const Pair<vector2>& ends
+) const
+{
+    // The distance changes by no more than the way
+    const fvMesh& mesh = levelSet_.mesh();
+    const auto isClear = [&](const label celli, const scalar distance)
+    {
+        const vector2 x = levelSet_.plane()(mesh.cellCentres()[celli]);
+        return
+            mag(distance)
+          > max((ends.first() - x).norm(), (ends.second() - x).norm());
+    };
+    return
+        isClear(mesh.faceOwner()[facei], levelSet_.distance()(P))
+     || (
+            mesh.isInternalFace(facei)
+         && isClear(mesh.faceNeighbour()[facei], levelSet_.distance()(N))
+        );
+}
+
+
 Foam::scalar Foam::capsule::cutFaces::crossing
 (
-    const vector2& centre,
-    const vector2& end,
-    const scalar atCentre,
-    const scalar atEnd
+    const located& centre,
+    const located& end
 ) const
 {
     // Regula falsi with halving (Illinois) on the signed distance
-    scalar alpha;
-    scalar a = 0, b = 1, fa = atCentre, fb = atEnd, xi = 0;
+    scalar a = 0, b = 1, fa = centre.distance, fb = end.distance, xi = 0;
+    scalar alpha = centre.alpha;
     for (label iter = 0; iter < 30; ++iter)
     {
         xi = (a*fb - b*fa)/(fb - fa);
-        const scalar f =
-            levelSet_.signedDistance(centre + xi*(end - centre), alpha);
+        const scalar f = levelSet_.signedDistanceFrom
+        (
+            centre.x + xi*(end.x - centre.x), alpha
+        );
         if (mag(f) < 1e-10*levelSet_.width())
         {
             break;
@@ -132,17 +198,13 @@ Foam::scalar Foam::capsule::cutFaces::crossing
 void Foam::capsule::cutFaces::addFarSidePart
 (
     const label facei,
-    const vector2& centre,
-    const vector2& end,
-    const scalar atCentre,
-    const scalar side,
-    const scalar area
+    const located& centre,
+    const located& end,
+    const scalar side
 )
 {
-    scalar alpha;
-    const scalar atEnd = levelSet_.signedDistance(end, alpha);
-    const bool centreFar = (atCentre*side < 0);
-    const bool endFar = (atEnd*side < 0);
+    const bool centreFar = (centre.distance*side < 0);
+    const bool endFar = (end.distance*side < 0);
     if (!centreFar && !endFar)
     {
         return;
@@ -152,16 +214,18 @@ void Foam::capsule::cutFaces::addFarSidePart
     scalar to = 1;
     if (centreFar != endFar)
     {
-        (endFar ? from : to) = crossing(centre, end, atCentre, atEnd);
+        (endFar ? from : to) = crossing(centre, end);
     }
 
     // Two-point Gauss rule, over the thickness of the mesh
-    const scalar length = 0.5*(to - from)*(end - centre).norm();
+    const scalar area = mag(levelSet_.mesh().faceAreas()[facei]);
+    const scalar length = 0.5*(to - from)*(end.x - centre.x).norm();
+    scalar alpha = endFar ? end.alpha : centre.alpha;
     for (const scalar gauss : {-1/Foam::sqrt(3.0), 1/Foam::sqrt(3.0)})
     {
         const scalar xi = 0.5*(from + to + gauss*(to - from));
-        const vector2 x = centre + xi*(end - centre);
-        farSideDepths_.append(levelSet_.signedDistance(x, alpha));
+        const vector2 x = centre.x + xi*(end.x - centre.x);
+        farSideDepths_.append(levelSet_.signedDistanceFrom(x, alpha));
         farSideAlphas_.append(alpha);
         farSideParts_.append
         ({
@@ -207,23 +271,28 @@ void Foam::capsule::cutFaces::addLinks
 }
 
 
-void Foam::capsule::cutFaces::add(const label facei)
+void Foam::capsule::cutFaces::add
+(
+    const label facei,
+    Map<located>& known
+)
 {
     const fvMesh& mesh = levelSet_.mesh();
+    const bool internal = mesh.isInternalFace(facei);
     const label P = levelSet_.inBand(mesh.faceOwner()[facei]);
-    label N = -1;
+    label N = levelSet_.cells().size() + acrossAlphas_.size();
     scalar atN = 0;
-    scalar alpha = 0;
-    if (mesh.isInternalFace(facei))
+    scalar alphaN = 0;
+    if (internal)
     {
         N = levelSet_.inBand(mesh.faceNeighbour()[facei]);
+        atN = (N == -1 ? 0 : levelSet_.distance()(N));
     }
     else
     {
-        N = levelSet_.cells().size() + acrossAlphas_.size();
         atN = levelSet_.signedDistance
         (
-            levelSet_.image(cellSearch::New(mesh).beyond(facei)), alpha
+            levelSet_.image(cellSearch::New(mesh).beyond(facei)), alphaN
         );
     }
     if (P == -1 || N == -1)
@@ -231,48 +300,43 @@ void Foam::capsule::cutFaces::add(const label facei)
         // Not at the membrane
         return;
     }
-    const auto sideOf = [&](const scalar distance)
-    {
-        return distance < 0 ? -1 : 1;
-    };
-    const scalar sideP = sideOf(levelSet_.distance()(P));
-    const scalar sideN =
-        sideOf(mesh.isInternalFace(facei) ? levelSet_.distance()(N) : atN);
-
-    scalar atFoot;
-    const vector2 centre = levelSet_.plane()(mesh.faceCentres()[facei]);
-    scalar atCentre = levelSet_.signedDistance(centre, atFoot);
-    if (mag(atCentre) < 1e-10*levelSet_.width())
-    {
-        // The two halves of a coupled face must agree, whatever the round-off
-        atCentre = 0;
-    }
-    const scalar side = (sideP == sideN ? sideP : atCentre < 0 ? -1 : 1);
-
-    if (sideP != sideN)
-    {
-        if (!mesh.isInternalFace(facei))
-        {
-            acrossAlphas_.append(alpha);
-            acrossDepths_.append(atN);
-        }
-        addLinks(facei, P, N, sideP, side);
-        centreAlphas_.append(atFoot);
-        centreDepths_.append(atCentre);
-    }
-
-    // From the centre to each end at most one crossing is looked for
-    const Pair<vector2> ends
+    const scalar sideP = (levelSet_.distance()(P) < 0 ? -1 : 1);
+    const scalar sideN = (atN < 0 ? -1 : 1);
+    const Pair<vector2> line
     (
         levelSet_.plane().ends(mesh.points(), mesh.faces()[facei])
     );
-    for (const vector2& end : ends)
+    if (sideP == sideN && clear(facei, P, N, line))
     {
-        addFarSidePart
-        (
-            facei, centre, end, atCentre, side, mag(mesh.faceAreas()[facei])
-        );
+        return;
     }
+
+    located centre{levelSet_.plane()(mesh.faceCentres()[facei]), 0, 0};
+    centre.distance = levelSet_.signedDistance(centre.x, centre.alpha);
+    if (mag(centre.distance) < 1e-10*levelSet_.width())
+    {
+        // The two halves of a coupled face must agree, whatever the round-off
+        centre.distance = 0;
+    }
+    const scalar side =
+        (sideP == sideN ? sideP : centre.distance < 0 ? -1 : 1);
+
+    if (sideP != sideN)
+    {
+        if (!internal)
+        {
+            acrossAlphas_.append(alphaN);
+            acrossDepths_.append(atN);
+        }
+        addLinks(facei, P, N, sideP, side);
+        centreAlphas_.append(centre.alpha);
+        centreDepths_.append(centre.distance);
+    }
+
+    // From the centre to each end at most one crossing is looked for
+    const Pair<located> ends(this->ends(facei, known));
+    addFarSidePart(facei, centre, ends.first(), side);
+    addFarSidePart(facei, centre, ends.second(), side);
 }
 
 
@@ -322,9 +386,11 @@ Foam::capsule::cutFaces::cutFaces(const membraneLevelSet& levelSet)
         }
     }
     Foam::inplaceUniqueSort(close);
+
+    Map<located> known;
     for (const label facei : close)
     {
-        add(facei);
+        add(facei, known);
     }
     checkCells();
 }

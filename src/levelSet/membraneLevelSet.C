@@ -14,28 +14,27 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::capsule::membraneLevelSet::project
+Foam::scalar Foam::capsule::membraneLevelSet::sampleAlpha
 (
-    const vector2& x,
-    const label sample,
-    scalar& alpha,
-    scalar& distance
+    const label sample
 ) const
 {
-    const scalar first =
-        sample*constant::mathematical::twoPi/samples_.size();
+    return sample*constant::mathematical::twoPi/samples_.size();
+}
 
-    alpha = curve_.nearest(x, first);
 
+Foam::scalar Foam::capsule::membraneLevelSet::project
+(
+    const vector2& x,
+    scalar& alpha
+) const
+{
+    alpha = curve_.nearest(x, alpha);
     // x' turned points out: its side is the sign of the distance
     vector2 foot, x1, x2;
     curve_.expand(alpha, foot, x1, x2);
     const vector2 d = x - foot;
-    distance = d.norm();
-    if (d.dot(turned(x1)) < 0)
-    {
-        distance = -distance;
-    }
+    return d.dot(turned(x1)) < 0 ? -d.norm() : d.norm();
 }
 
 
@@ -75,8 +74,8 @@ void Foam::capsule::membraneLevelSet::setCells
         scalar distance;
         if (hit.hit())
         {
-            scalar alpha;
-            project(x, hit.index(), alpha, distance);
+            scalar alpha = sampleAlpha(hit.index());
+            distance = project(x, alpha);
             cells_.append(celli);
             alphas.append(alpha);
             distances.append(distance);
@@ -197,7 +196,7 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     for (label i = 0; i < samples_.size(); ++i)
     {
         normals.row(i) =
-            turned(curve.point(i*constant::mathematical::twoPi/samples_.size(), 1));
+            turned(curve.point(sampleAlpha(i), 1));
     }
     setCells(around(reach), normals, reach);
 }
@@ -226,9 +225,18 @@ Foam::scalar Foam::capsule::membraneLevelSet::signedDistance
         }
     }
 
-    scalar distance;
-    project(nearest, sample, alpha, distance);
-    return distance;
+    alpha = sampleAlpha(sample);
+    return project(nearest, alpha);
+}
+
+
+Foam::scalar Foam::capsule::membraneLevelSet::signedDistanceFrom
+(
+    const vector2& x,
+    scalar& alpha
+) const
+{
+    return project(plane_.images().image(x, centre_), alpha);
 }
 
 
