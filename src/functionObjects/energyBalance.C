@@ -90,6 +90,71 @@ Foam::Pair<Foam::scalar> Foam::functionObjects::energyBalance::boundaries
 }
 
 
+void Foam::functionObjects::energyBalance::takeWrittenBoundaries()
+{
+    // The solver's set-up may have updated the boundaries, which the step
+    // had not
+    const volVectorField written
+    (
+        IOobject
+        (
+            "U",
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        mesh_
+    );
+    mesh_.lookupObjectRef<volVectorField>("U").boundaryFieldRef() ==
+        written.boundaryField();
+}
+
+
+void Foam::functionObjects::energyBalance::writeRow
+(
+    const FixedList<scalar, 6>& row,
+    const bool known
+)
+{
+    if (!Pstream::master())
+    {
+        return;
+    }
+    file() << mesh_.time().timeOutputValue();
+    forAll(row, i)
+    {
+        file() << tab;
+        // Kinetic energy and imbalance
+        if (known || (i != 1 && i != 5))
+        {
+            file() << row[i];
+        }
+        else
+        {
+            file() << notKnown_;
+        }
+    }
+    file() << endl;
+}
+
+
+void Foam::functionObjects::energyBalance::warnOfUnknown()
+{
+    if (!warned_)
+    {
+        WarningInFunction
+            << "The rate of kinetic energy is not known at time "
+            << mesh_.time().timeName() << ", where there is no file"
+            << " uniform/kineticEnergyRate: no step of capsuleFoam has"
+            << " written this time. It and the imbalance are written as "
+            << notKnown_ << ", here and at other such times" << endl;
+        warned_ = true;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::functionObjects::energyBalance::energyBalance
@@ -162,23 +227,7 @@ bool Foam::functionObjects::energyBalance::write()
     const auto& U = mesh_.lookupObject<volVectorField>("U");
     if (postProcess)
     {
-        // The solver's set-up may have updated the boundaries, which the step
-        // had not
-        const volVectorField written
-        (
-            IOobject
-            (
-                "U",
-                mesh_.time().timeName(),
-                mesh_,
-                IOobject::MUST_READ,
-                IOobject::NO_WRITE,
-                false
-            ),
-            mesh_
-        );
-        mesh_.lookupObjectRef<volVectorField>("U").boundaryFieldRef() ==
-            written.boundaryField();
+        takeWrittenBoundaries();
     }
     const scalar sector = system.plane().sector();
     const scalarField& V = mesh_.V();
@@ -222,38 +271,13 @@ bool Foam::functionObjects::energyBalance::write()
     const scalar fed =
         max(stress, 0) + max(membranes, 0) + max(driving, 0) + max(-kinetic, 0);
 
-    if (Pstream::master())
-    {
-        file() << mesh_.time().timeOutputValue() << tab << dissipation;
-        const auto writeKinetic = [&](const scalar value)
-        {
-            file() << tab;
-            if (known)
-            {
-                file() << value;
-            }
-            else
-            {
-                file() << notKnown_;
-            }
-        };
-        writeKinetic(kinetic);
-        file() << tab << stress << tab << membranes << tab << driving;
-        writeKinetic(imbalance);
-        file() << endl;
-    }
+    writeRow
+    (
+        {dissipation, kinetic, stress, membranes, driving, imbalance}, known
+    );
     if (!known)
     {
-        if (!warned_)
-        {
-            WarningInFunction
-                << "The rate of kinetic energy is not known at time "
-                << mesh_.time().timeName() << ", where there is no file"
-                << " uniform/kineticEnergyRate: no step of capsuleFoam has"
-                << " written this time. It and the imbalance are written as "
-                << notKnown_ << ", here and at other such times" << endl;
-            warned_ = true;
-        }
+        warnOfUnknown();
         return true;
     }
     if (mag(imbalance) > max(largestImbalance_*fed, rest_*gross))

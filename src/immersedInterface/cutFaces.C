@@ -63,7 +63,7 @@ void Foam::capsule::cutFaces::checkCells() const
     {
         if (v.cell != -1 && cut.insert(v.cell) && mine.empty())
         {
-            const string refused = refusal(mesh, v.cell);
+            const string refused = refusal(levelSet_.plane(), mesh, v.cell);
             if (!refused.empty())
             {
                 OStringStream message;
@@ -93,46 +93,6 @@ void Foam::capsule::cutFaces::checkCells() const
 }
 
 
-Foam::Pair<Foam::capsule::cutFaces::located> Foam::capsule::cutFaces::ends
-(
-    const label facei,
-    Map<located>& known
-) const
-{
-    const fvMesh& mesh = levelSet_.mesh();
-    const face& f = mesh.faces()[facei];
-    const Pair<vector2> ends(levelSet_.plane().ends(mesh.points(), f));
-
-    // Known by the lowest point of the mesh there, front or back
-    labelPair lowest(labelMax, labelMax);
-    for (const label pointi : f)
-    {
-        const vector2 x = levelSet_.plane()(mesh.points()[pointi]);
-        const bool second =
-            (x - ends.second()).norm() < (x - ends.first()).norm();
-        label& p = second ? lowest.second() : lowest.first();
-        p = min(p, pointi);
-    }
-    const auto find = [&](const vector2& x, const label pointi)
-    {
-        const auto iter = known.cfind(pointi);
-        if (iter.found())
-        {
-            return *iter;
-        }
-        located l{x, 0, 0};
-        l.distance = levelSet_.signedDistance(x, l.alpha);
-        known.insert(pointi, l);
-        return l;
-    };
-    return Pair<located>
-    (
-        find(ends.first(), lowest.first()),
-        find(ends.second(), lowest.second())
-    );
-}
-
-
 bool Foam::capsule::cutFaces::clear
 (
     const label facei,
@@ -156,82 +116,6 @@ bool Foam::capsule::cutFaces::clear
             mesh.isInternalFace(facei)
          && isClear(mesh.faceNeighbour()[facei], levelSet_.distance()(N))
         );
-}
-
-
-Foam::scalar Foam::capsule::cutFaces::crossing
-(
-    const located& centre,
-    const located& end
-) const
-{
-    // Regula falsi with halving (Illinois) on the signed distance
-    scalar a = 0, b = 1, fa = centre.distance, fb = end.distance, xi = 0;
-    scalar alpha = centre.alpha;
-    for (label iter = 0; iter < 30; ++iter)
-    {
-        xi = (a*fb - b*fa)/(fb - fa);
-        const scalar f = levelSet_.signedDistanceFrom
-        (
-            centre.x + xi*(end.x - centre.x), alpha
-        );
-        if (mag(f) < 1e-10*levelSet_.width())
-        {
-            break;
-        }
-        if (f*fb < 0)
-        {
-            a = b;
-            fa = fb;
-        }
-        else
-        {
-            fa *= 0.5;
-        }
-        b = xi;
-        fb = f;
-    }
-    return xi;
-}
-
-
-void Foam::capsule::cutFaces::addFarSidePart
-(
-    const label facei,
-    const located& centre,
-    const located& end,
-    const scalar side
-)
-{
-    const bool centreFar = (centre.distance*side < 0);
-    const bool endFar = (end.distance*side < 0);
-    if (!centreFar && !endFar)
-    {
-        return;
-    }
-
-    scalar from = 0;
-    scalar to = 1;
-    if (centreFar != endFar)
-    {
-        (endFar ? from : to) = crossing(centre, end);
-    }
-
-    // Two-point Gauss rule, over the thickness of the mesh
-    const scalar area = mag(levelSet_.mesh().faceAreas()[facei]);
-    const scalar length = 0.5*(to - from)*(end.x - centre.x).norm();
-    scalar alpha = endFar ? end.alpha : centre.alpha;
-    for (const scalar gauss : {-1/Foam::sqrt(3.0), 1/Foam::sqrt(3.0)})
-    {
-        const scalar xi = 0.5*(from + to + gauss*(to - from));
-        const vector2 x = centre.x + xi*(end.x - centre.x);
-        farSideDepths_.append(levelSet_.signedDistanceFrom(x, alpha));
-        farSideAlphas_.append(alpha);
-        farSideParts_.append
-        ({
-            facei, -length*levelSet_.plane().thickness(x)/area*side
-        });
-    }
 }
 
 
@@ -271,11 +155,7 @@ void Foam::capsule::cutFaces::addLinks
 }
 
 
-void Foam::capsule::cutFaces::add
-(
-    const label facei,
-    Map<located>& known
-)
+void Foam::capsule::cutFaces::add(const label facei)
 {
     const fvMesh& mesh = levelSet_.mesh();
     const bool internal = mesh.isInternalFace(facei);
@@ -311,7 +191,7 @@ void Foam::capsule::cutFaces::add
         return;
     }
 
-    located centre{levelSet_.plane()(mesh.faceCentres()[facei]), 0, 0};
+    faceParts::located centre{levelSet_.plane()(mesh.faceCentres()[facei]), 0, 0};
     centre.distance = levelSet_.signedDistance(centre.x, centre.alpha);
     if (mag(centre.distance) < 1e-10*levelSet_.width())
     {
@@ -333,10 +213,7 @@ void Foam::capsule::cutFaces::add
         centreDepths_.append(centre.distance);
     }
 
-    // From the centre to each end at most one crossing is looked for
-    const Pair<located> ends(this->ends(facei, known));
-    addFarSidePart(facei, centre, ends.first(), side);
-    addFarSidePart(facei, centre, ends.second(), side);
+    parts_.add(facei, centre, side);
 }
 
 
@@ -359,7 +236,8 @@ Foam::capsule::jumpConditions::footPoints Foam::capsule::cutFaces::footPoints
 
 Foam::capsule::cutFaces::cutFaces(const membraneLevelSet& levelSet)
 :
-    levelSet_(levelSet)
+    levelSet_(levelSet),
+    parts_(levelSet)
 {
     // Faces of cells that are closer to the membrane than they are long, and
     // half as much again
@@ -386,11 +264,9 @@ Foam::capsule::cutFaces::cutFaces(const membraneLevelSet& levelSet)
         }
     }
     Foam::inplaceUniqueSort(close);
-
-    Map<located> known;
     for (const label facei : close)
     {
-        add(facei, known);
+        add(facei);
     }
     checkCells();
 }
@@ -438,8 +314,27 @@ Foam::capsule::cutFaces::ownersNeighbours() const
 }
 
 
+Foam::capsule::vector2 Foam::capsule::cutFaces::acrossFace
+(
+    const label facei
+) const
+{
+    const fvMesh& mesh = levelSet_.mesh();
+    const pointField& centres = cellSearch::New(mesh).centres();
+    const vector2 own = levelSet_.image(centres[mesh.faceOwner()[facei]]);
+    const vector2 other = levelSet_.image
+    (
+        mesh.isInternalFace(facei)
+      ? centres[mesh.faceNeighbour()[facei]]
+      : cellSearch::New(mesh).beyond(facei)
+    );
+    return other - own;
+}
+
+
 Foam::string Foam::capsule::cutFaces::refusal
 (
+    const solvedDirections& plane,
     const fvMesh& mesh,
     const label celli
 )
@@ -464,10 +359,15 @@ Foam::string Foam::capsule::cutFaces::refusal
                 continue;
             }
         }
-        const vector s = normalised(mesh.faceAreas()[facei]);
-        const vector d =
-            normalised(mesh.faceCentres()[facei] - mesh.cellCentres()[celli]);
-        if (mag(s & d) < 1 - 1e-6)
+        const Pair<vector2> ends
+        (
+            plane.ends(mesh.points(), mesh.faces()[facei])
+        );
+        const vector2 d =
+            0.5*(ends.first() + ends.second())
+          - plane(mesh.cellCentres()[celli]);
+        const vector2 s = plane(mesh.faceAreas()[facei]);
+        if (mag(s.dot(d)) < (1 - 1e-6)*s.norm()*d.norm())
         {
             return "is not orthogonal";
         }

@@ -116,8 +116,7 @@ void Foam::capsule::immersedInterface::setJumps(const jumpConditions& jumps)
         const vector2 S =
             plane(cutFaces::value(mesh.Sf(), v.face));
         normal.row(i) = S.normalized();
-        across.row(i) =
-            normal.row(i)/cutFaces::value(mesh.nonOrthDeltaCoeffs(), v.face);
+        across.row(i) = faces_.acrossFace(v.face);
         const Pair<vector2> ends
         (
             plane.ends(mesh.points(), mesh.faces()[v.face])
@@ -268,7 +267,7 @@ void Foam::capsule::immersedInterface::addFlux
     }
     forAll(faces_.farSideParts(), i)
     {
-        const cutFaces::farSidePart& b = faces_.farSideParts()[i];
+        const faceParts::farSidePart& b = faces_.farSideParts()[i];
         const vector U = levelSet_.plane().toVector(farSideU_.row(i));
         addOnFace
         (
