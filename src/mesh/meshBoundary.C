@@ -119,13 +119,20 @@ Foam::capsule::meshBoundary::meshBoundary(const fvMesh& mesh)
         forAll(pp, i)
         {
             const Pair<vector2> ends(plane_.ends(mesh.points(), pp[i]));
-            const vector2& a = ends.first();
-            const vector2& b = ends.second();
+            vector2 a = ends.first();
+            vector2 b = ends.second();
             const scalar width =
                 mesh.cellVolumes()[pp.faceCells()[i]]/mag(pp.faceAreas()[i]);
-            sides.append(sideBetween(a, b, width, pp.index()));
             if (plane_.axisymmetric())
             {
+                // Nothing between a side and its mirror image
+                for (vector2* end : {&a, &b})
+                {
+                    if (mag(plane_.radius(*end)) < 1e-6*(b - a).norm())
+                    {
+                        (*end)(1) = plane_.axisAt();
+                    }
+                }
                 sides.append
                 (
                     sideBetween
@@ -135,6 +142,7 @@ Foam::capsule::meshBoundary::meshBoundary(const fvMesh& mesh)
                     )
                 );
             }
+            sides.append(sideBetween(a, b, width, pp.index()));
         }
     }
 }

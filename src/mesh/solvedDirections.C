@@ -10,6 +10,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "solvedDirections.H"
+#include "wedgeGradients.H"
 #include "emptyPolyPatch.H"
 #include "wedgePolyPatch.H"
 #include "mathematicalConstants.H"
@@ -156,6 +157,10 @@ Foam::capsule::solvedDirections::solvedDirections(const fvMesh& mesh)
     mesh.C();
     mesh.weights();
     mesh.nonOrthDeltaCoeffs();
+    if (axisymmetric_)
+    {
+        wedgeGradients::New(mesh, *this);
+    }
 }
 
 
