@@ -64,7 +64,7 @@ int main()
         const surfaceBasis basis(n);
         const closedSurface curve(basis, ellipse(basis, 2, 1));
         const scalar error = mag(curve.perimeter() - perimeter);
-        check("area of an ellipse", curve.area() - 2*pi, 1e-12);
+        check("area of an ellipse", curve.volume() - 2*pi, 1e-12);
         check("centroid", curve.centroid()(0) - 3, 1e-12);
         check("extent", curve.extents()(0) - 4, 1e-10);
         check("Taylor deformation", curve.taylorDeformation() - 1.0/3, 1e-10);
@@ -121,15 +121,16 @@ int main()
         })
     {
         IStringStream is(text);
-        const autoPtr<elasticLaw> law(elasticLaw::New(dictionary(is)));
+        const autoPtr<elasticLaw> law(elasticLaw::New(dictionary(is), true));
         const nodalScalars s = nodalScalars::LinSpaced(5, 0.8, 1.6);
         const nodalScalars e = nodalScalars::Constant(5, 1e-5);
+        const nodalScalars one = nodalScalars::Ones(5);
         const nodalScalars slope =
-            (law->tension(s + e) - law->tension(s - e))/2e-5;
+            (law->tension(s + e, one) - law->tension(s - e, one))/2e-5;
         check
         (
             "stiffness is the derivative of the tension",
-            (slope - law->stiffness(s)).cwiseAbs().maxCoeff(), 1e-8
+            (slope - law->stiffness(s, one)).cwiseAbs().maxCoeff(), 1e-8
         );
     }
 
