@@ -21,12 +21,14 @@ ddt=SCHEME   of U (steadyState)
 solver=NAME  of the flow (direct)
 tolerance=T  of the flow (1e-11), coupling=TEXT of the membrane
 functions=TEXT  beside the measures
+moved=X      the capsule starts that much further along a periodic tube
 deltaT=T     (0.02), end=T (0.1), write=T (the end)
 
     wedge.py -compare A B
 
 prints the largest difference of two such runs, each put back where the first lies: points and velocities of the capsule over
-their largest distance and velocity, the measures, and the extremes of the pressure over its range."""
+their largest distance and velocity, the measures, and the pressure's extremes over its range or, of capsules that are moved,
+its ranges."""
 
 import json
 import math
@@ -39,7 +41,7 @@ DEFAULTS = {
     'drive': 'type meanVelocity; velocity 1;', 'flow': '1', 'centre': '0.8', 'shape': 'type ellipsoid; semiAxes (0.3 0.36);',
     'law': 'type neoHookean; form incompressible; shearModulus 8;', 'bending': 'type Helfrich; bendingModulus 2e-3;',
     'ratio': '5', 'rho': '1', 'ddt': 'steadyState', 'solver': 'direct', 'tolerance': '1e-11',
-    'coupling': 'type quasiNewton; stressTolerance 1e-9; displacementTolerance 1e-10;', 'functions': '', 'deltaT': '0.02',
+    'coupling': 'type quasiNewton; stressTolerance 1e-9; displacementTolerance 1e-10;', 'functions': '', 'moved': '0', 'deltaT': '0.02',
     'end': '0.1', 'write': ''}
 
 
@@ -120,7 +122,7 @@ capsuleFoam { flow { solver %s; tolerance %s; maxIter 300; pRefPoint %s; pRefVal
     }
 }
 coupling { %s }
-''' % (o['ratio'], o['shape'], text(place.point(float(o['centre']), 0)), o['law'], o['bending'], o['coupling']))
+''' % (o['ratio'], o['shape'], text(place.point(float(o['centre']) + float(o['moved']), 0)), o['law'], o['bending'], o['coupling']))
     write(case, 'constant/transportProperties', 'dictionary', 'rho %s;\nmu 1;\n' % o['rho'])
     if periodic:
         # The number before each semicolon is along the axis
@@ -155,7 +157,7 @@ internalField uniform 0;
 boundaryField { %s walls { type zeroGradient; } %s }
 ''' % (p, wedges))
     with open(os.path.join(case, 'place'), 'w') as f:
-        json.dump({'axis': o['axis'], 'shift': place.shift, 'end': o['end']}, f)
+        json.dump({'axis': o['axis'], 'shift': place.shift, 'moved': float(o['moved']), 'end': o['end']}, f)
 
 
 def lists(path, names):
@@ -171,10 +173,10 @@ def lists(path, names):
 
 
 def run(case):
-    """Points, velocities, measures, extremes of the pressure"""
+    """Points, velocities, measures, extremes of the pressure, and how far the capsule was moved"""
     with open(os.path.join(case, 'place')) as f:
         p = json.load(f)
-    place = Place(p['axis'], p['shift'])
+    place = Place(p['axis'], [p['shift'][0] + p['moved'], *p['shift'][1:]])
     x, u = lists(os.path.join(case, p['end'], 'uniform/membranes/capsule'), ['points', 'velocity'])
     points, velocities = [[g(a[i:i + 3]) for i in range(0, len(a), 3)] for a, g in ((x, place.unpoint), (u, place.unvector))]
     with open(os.path.join(case, 'postProcessing/measures/0/capsule.dat')) as f:
@@ -182,7 +184,7 @@ def run(case):
     assert len(row) == 19, row
     row[1] -= place.shift[0]
     pressure = lists(os.path.join(case, p['end'], 'p'), ['internalField'])[0]
-    return points, velocities, row[1:], [min(pressure), max(pressure)]
+    return points, velocities, row[1:], [min(pressure), max(pressure)], p['moved']
 
 
 def largest(a, b):
@@ -190,14 +192,18 @@ def largest(a, b):
     return max(math.dist(p, q) for p, q in zip(a, b))
 
 
+def span(pressures):
+    return pressures[1] - pressures[0]
+
+
 def compare(a, b):
-    (xA, uA, mA, pA), (xB, uB, mB, pB) = run(a), run(b)
+    (xA, uA, mA, pA, movedA), (xB, uB, mB, pB, movedB) = run(a), run(b)
     middle = [sum(c)/len(c) for c in zip(*xA)]
     found = [
         largest(xA, xB)/max(math.dist(x, middle) for x in xA),
         largest(uA, uB)/max(math.hypot(*u) for u in uA),
         max(abs(p - q)/max(abs(p), 1e-6) for p, q in zip(mA, mB)),
-        max(abs(p - q) for p, q in zip(pA, pB))/(pA[1] - pA[0])]
+        abs(span(pA) - span(pB))/span(pA) if movedA != movedB else max(abs(p - q) for p, q in zip(pA, pB))/span(pA)]
     print('%.3e' % max(found), *('%.1e' % f for f in found))
 
 

@@ -13,7 +13,7 @@ Description
     Unit tests of elastic laws of two stretches, bending and the force of
     membranes in the plane and of surfaces of revolution, of the measures of
     these, and of shapes in the wedge or plane of the case it runs in, against
-    exact values and differences. Returns the number of failures.
+    exact values and differences. Returns 1 if one failed.
 
 \*---------------------------------------------------------------------------*/
 
@@ -64,7 +64,7 @@ int main(int argc, char* argv[])
     if (!directions.axisymmetric())
     {
         testPlaneShapes(directions);
-        return nFailed();
+        return verdict();
     }
     testWedgeShapes(directions);
     testLaws();
@@ -75,5 +75,5 @@ int main(int argc, char* argv[])
     testCompression();
     testBending();
 
-    return nFailed();
+    return verdict();
 }
