@@ -18,7 +18,7 @@ bending=TEXT (type Helfrich; bendingModulus 2e-3;)
 ratio=R      viscosity inside over outside (5)
 rho=R        density (1)
 ddt=SCHEME   of U (steadyState)
-solver=NAME  of the flow (direct)
+solver=NAME  of the flow (direct); linear=Krylov: of its sweeps, with fewer messages between ranks than multigrid
 tolerance=T  of the flow (1e-11), coupling=TEXT of the membrane
 functions=TEXT  beside the measures
 moved=X      the capsule starts that much further along a periodic tube
@@ -36,11 +36,14 @@ import os
 import sys
 
 HEADER = 'FoamFile { version 2.0; format ascii; class %s; object %s; }\n'
+LINEAR = {
+    'GAMG': ('solver GAMG; smoother symGaussSeidel;', 'solver GAMG; smoother GaussSeidel;'),
+    'Krylov': ('solver PBiCGStab; preconditioner diagonal;', 'solver PCG; preconditioner DIC;')}
 DEFAULTS = {
     'axis': 'xy', 'shift': '0,0,0', 'half': '0.01', 'cells': '16', 'length': '2', 'ends': 'open',
     'drive': 'type meanVelocity; velocity 1;', 'flow': '1', 'centre': '0.8', 'shape': 'type ellipsoid; semiAxes (0.3 0.36);',
     'law': 'type neoHookean; form incompressible; shearModulus 8;', 'bending': 'type Helfrich; bendingModulus 2e-3;',
-    'ratio': '5', 'rho': '1', 'ddt': 'steadyState', 'solver': 'direct', 'tolerance': '1e-11',
+    'ratio': '5', 'rho': '1', 'ddt': 'steadyState', 'solver': 'direct', 'linear': 'GAMG', 'tolerance': '1e-11',
     'coupling': 'type quasiNewton; stressTolerance 1e-9; displacementTolerance 1e-10;', 'functions': '', 'moved': '0', 'deltaT': '0.02',
     'end': '0.1', 'write': ''}
 
@@ -82,6 +85,15 @@ def write(case, name, kind, content):
         f.write(HEADER % (kind, os.path.basename(name)) + content)
 
 
+def parabola(n):
+    """The profile 2 (1 - r^2) at the centres of n faces of the inlet, over its mean there, and twice one over the mean"""
+    edges = [i/n for i in range(n + 1)]
+    areas = [b**2 - a**2 for a, b in zip(edges, edges[1:])]
+    centres = [2/3*(b**3 - a**3)/area for a, b, area in zip(edges, edges[1:], areas)]
+    mean = sum(2*(1 - r**2)*area for r, area in zip(centres, areas))
+    return [2*(1 - r**2)/mean for r in centres], 2/mean
+
+
 def make(case, options):
     given = dict(a.split('=', 1) for a in options)
     assert not set(given) - set(DEFAULTS), given
@@ -108,9 +120,9 @@ functions { measures { type membraneMeasures; libs (capsule); lines true; writeC
 gradSchemes { default Gauss linear; } divSchemes { default Gauss linear; } laplacianSchemes { default Gauss linear orthogonal; }
 interpolationSchemes { default linear; } snGradSchemes { default orthogonal; }
 ''' % o['ddt'])
-    write(case, 'system/fvSolution', 'dictionary', '''solvers { U { solver GAMG; smoother symGaussSeidel; tolerance 0; relTol 0.05; } p { solver GAMG; smoother GaussSeidel; tolerance 0; relTol 0.05; } }
+    write(case, 'system/fvSolution', 'dictionary', '''solvers { U { %s tolerance 0; relTol 0.05; } p { %s tolerance 0; relTol 0.05; } }
 capsuleFoam { flow { solver %s; tolerance %s; maxIter 300; pRefPoint %s; pRefValue 0; } }
-''' % (o['solver'], o['tolerance'], text(place.point(length - 0.3/cells, 0.5 - 0.3/cells))))
+''' % (*LINEAR[o['linear']], o['solver'], o['tolerance'], text(place.point(length - 0.3/cells, 0.5 - 0.3/cells))))
     write(case, 'constant/membraneProperties', 'dictionary', '''membranes
 {
     capsule
@@ -136,7 +148,10 @@ coupling { %s }
         write(case, 'constant/drivingForce', 'dictionary', ' '.join(words) + '\n')
     x = 'xyz'
     profile = ['0', '0', '0']
-    profile[place.first] = '2*%s*(1 - 4*sqr(pos().%s() - %.17g))' % (o['flow'], x[place.second], place.shift[1])
+    velocities, most = parabola(cells//2)
+    profile[place.first] = '%.17g*(1 - 4*sqr(pos().%s() - %.17g))' % (float(o['flow'])*most, x[place.second], place.shift[1])
+    # The outlet starts from the profile, too
+    start = ' '.join(text(place.vector(float(o['flow'])*v, 0)) for v in velocities for _ in range(round(length*cells)))
     if periodic:
         U = p = '"(inlet|outlet)" { type cyclic; }'
     else:
@@ -145,13 +160,16 @@ coupling { %s }
         p = '"(inlet|outlet)" { type zeroGradient; }'
     wedges = '"(front|back)" { type wedge; }'
     write(case, '0/U', 'volVectorField', '''dimensions [0 1 -1 0 0 0 0];
-internalField uniform (0 0 0);
+internalField nonuniform List<vector>
+%d
+(%s)
+;
 boundaryField
 {
     %s
     walls { type noSlip; } %s
 }
-''' % (U, wedges))
+''' % (round(length*cells)*(cells//2), start, U, wedges))
     write(case, '0/p', 'volScalarField', '''dimensions [1 -1 -2 0 0 0 0];
 internalField uniform 0;
 boundaryField { %s walls { type zeroGradient; } %s }
