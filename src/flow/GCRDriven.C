@@ -123,6 +123,16 @@ void Foam::capsule::GCR::solve
     {
         setForceResponses(UEqn, extra, along);
     }
+    if
+    (
+        force_ == vector(Zero)
+     && word(mesh_.ddtScheme("ddt(U)")) == "steadyState"
+    )
+    {
+        // From rest: a flow that starts with the mean velocity would ask for no
+        // force, and leave nothing to measure residuals by
+        unpack(nodalScalars::Zero(packed(U_, p_).size()));
+    }
     setMean(along, driving.velocity());
     solve(UEqn, extra);
     setMean(along, driving.velocity());

@@ -38,6 +38,21 @@ namespace capsule
           : meshBoundary::side{a, b, width, patchi};
     }
 
+    //- A point of a wedge, on its axis if it is there but for round-off: its
+    //  mirror image leaves no gap
+    static vector2 snapped
+    (
+        const vector2& x,
+        const solvedDirections& plane,
+        const scalar width
+    )
+    {
+        return
+            mag(plane.radius(x)) < 1e-6*width
+          ? vector2(x(0), plane.axisAt())
+          : x;
+    }
+
     //- Middle of the box around points
     static vector2 middle(const nodalVectors& points)
     {
@@ -119,20 +134,12 @@ Foam::capsule::meshBoundary::meshBoundary(const fvMesh& mesh)
         forAll(pp, i)
         {
             const Pair<vector2> ends(plane_.ends(mesh.points(), pp[i]));
-            vector2 a = ends.first();
-            vector2 b = ends.second();
             const scalar width =
                 mesh.cellVolumes()[pp.faceCells()[i]]/mag(pp.faceAreas()[i]);
+            const vector2 a = snapped(ends.first(), plane_, width);
+            const vector2 b = snapped(ends.second(), plane_, width);
             if (plane_.axisymmetric())
             {
-                // Nothing between a side and its mirror image
-                for (vector2* end : {&a, &b})
-                {
-                    if (mag(plane_.radius(*end)) < 1e-6*(b - a).norm())
-                    {
-                        (*end)(1) = plane_.axisAt();
-                    }
-                }
                 sides.append
                 (
                     sideBetween

@@ -259,7 +259,7 @@ int main(int argc, char *argv[])
         Up == Up - flux/area*Up.patch().nf();
     }
 
-    const scalar h = Foam::sqrt(gMax(mesh.V().field())/plane.thickness());
+    const scalar h = Foam::sqrt(gMax(mesh.V().field())/plane.sector());
     const surfaceBasis basis(2*label(constant::mathematical::pi/h) + 1);
     nodalVectors x(basis.size(), 2);
     nodalVectors f(basis.size(), 2);
@@ -330,7 +330,7 @@ int main(int argc, char *argv[])
         const vector sum =
             interface.addLaplacian(1, 1, sources.momentum)
           - interface.addGradient(sources.gradient);
-        net = mag(sum)/plane.thickness();
+        net = mag(sum)/plane.sector();
         interface.addFlux(sources.flux, sources.pressureFlux);
         interface.addInterpolationDivergence(sources.divergence);
         interface.addForce(-sum, sources.momentum);

@@ -78,10 +78,5 @@ int main(int argc, char* argv[])
         testPlaneShapes(directions);
     }
 
-    if (nFailed())
-    {
-        // The end of main would return success, see ParRunControl
-        UPstream::exit(1);
-    }
-    return 0;
+    return verdict();
 }
