@@ -63,7 +63,7 @@ void Foam::capsule::cutFaces::checkCells() const
     {
         if (v.cell != -1 && cut.insert(v.cell) && mine.empty())
         {
-            const string refused = refusal(levelSet_.plane(), mesh, v.cell);
+            const string refused = refusal(mesh, v.cell);
             if (!refused.empty())
             {
                 OStringStream message;
@@ -334,7 +334,6 @@ Foam::capsule::vector2 Foam::capsule::cutFaces::acrossFace
 
 Foam::string Foam::capsule::cutFaces::refusal
 (
-    const solvedDirections& plane,
     const fvMesh& mesh,
     const label celli
 )
@@ -359,15 +358,10 @@ Foam::string Foam::capsule::cutFaces::refusal
                 continue;
             }
         }
-        const Pair<vector2> ends
-        (
-            plane.ends(mesh.points(), mesh.faces()[facei])
-        );
-        const vector2 d =
-            0.5*(ends.first() + ends.second())
-          - plane(mesh.cellCentres()[celli]);
-        const vector2 s = plane(mesh.faceAreas()[facei]);
-        if (mag(s.dot(d)) < (1 - 1e-6)*s.norm()*d.norm())
+        const vector s = normalised(mesh.faceAreas()[facei]);
+        const vector d =
+            normalised(mesh.faceCentres()[facei] - mesh.cellCentres()[celli]);
+        if (mag(s & d) < 1 - 1e-6)
         {
             return "is not orthogonal";
         }

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "oneSidedFit.H"
+#include "cubicFit.H"
 #include "releases.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -16,80 +17,8 @@ License
 const Foam::scalar Foam::capsule::oneSidedFit::radius = 3.1;
 const Foam::scalar Foam::capsule::oneSidedFit::reach = 2;
 
-namespace Foam
-{
-namespace capsule
-{
-
-//- Norm over the weighted cells, in cell widths, below which a monomial's part
-//  that is orthogonal to those before it is diminished
-static const scalar distinct = 0.3;
-
-} // End namespace capsule
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Eigen::Matrix<Foam::scalar, 3, Eigen::Dynamic>
-Foam::capsule::oneSidedFit::cubic
-(
-    const nodalVectors& points,
-    const nodalScalars& weights
-)
-{
-    const label n = points.rows();
-    Eigen::Matrix<scalar, Eigen::Dynamic, 10> basis(n, 10);
-    for (label i = 0; i < n; ++i)
-    {
-        const scalar x = points(i, 0);
-        const scalar y = points(i, 1);
-        basis.row(i) <<
-            1, x, y, sqr(x), x*y, sqr(y),
-            pow3(x), sqr(x)*y, x*sqr(y), pow3(y);
-    }
-    basis = weights.asDiagonal()*basis;
-
-    // Gram-Schmidt, twice: orthonormal columns, and value and gradient at the
-    // origin of their polynomials
-    Eigen::Matrix<scalar, 3, Eigen::Dynamic> rows =
-        Eigen::Matrix<scalar, 3, Eigen::Dynamic>::Zero(3, n);
-    Eigen::Matrix<scalar, 3, 10> origin(Eigen::Matrix<scalar, 3, 10>::Zero());
-    origin.leftCols<3>().setIdentity();
-    label kept = 0;
-    for (label j = 0; j < 10; ++j)
-    {
-        nodalScalars q = basis.col(j);
-        Eigen::Matrix<scalar, 3, 1> atOrigin = origin.col(j);
-        const scalar size = q.norm();
-        for (label pass = 0; pass < 2; ++pass)
-        {
-            for (label k = 0; k < kept; ++k)
-            {
-                const scalar along = basis.col(k).dot(q);
-                q -= along*basis.col(k);
-                atOrigin -= along*origin.col(k);
-            }
-        }
-        const scalar own = q.norm();
-        if (own < 1e-6*size)
-        {
-            if (j < 3)
-            {
-                // Not even a gradient
-                return Eigen::Matrix<scalar, 3, Eigen::Dynamic>(3, 0);
-            }
-            continue;
-        }
-        basis.col(kept) = q/own;
-        origin.col(kept) = atOrigin/own;
-        const scalar part = (j < 3 ? 1 : min(sqr(own/distinct), scalar(1)));
-        rows += part*origin.col(kept)*basis.col(kept).transpose();
-        ++kept;
-    }
-    return rows*weights.asDiagonal();
-}
-
 
 Foam::capsule::nodalMatrix Foam::capsule::oneSidedFit::gather
 (
@@ -225,28 +154,11 @@ Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::extended
 }
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::capsule::oneSidedFit::oneSidedFit
-(
-    const immersedInterface& interface,
-    const label side
-)
-:
-    interface_(interface),
-    side_(side),
-    sizes_(Pstream::nProcs(), Zero)
+Foam::capsule::nodalMatrix Foam::capsule::oneSidedFit::bandCells() const
 {
-    const membraneLevelSet& levelSet = interface.levelSet();
+    // Beyond an axis are the mirror images of the cells, numbered after them
+    const membraneLevelSet& levelSet = interface_.levelSet();
     const labelUList& cells = levelSet.cells();
-    const closedSurface& curve = levelSet.curve();
-    const scalar width = levelSet.width();
-
-    sizes_[Pstream::myProcNo()] = cells.size();
-    allGatherList(sizes_);
-
-    // Centre, distance, size: tensor and direction. Beyond an axis are the
-    // mirror images of the cells, numbered after them
     const cellSearch& search = cellSearch::New(levelSet.mesh());
     nodalMatrix local(cells.size(), 9);
     forAll(cells, i)
@@ -255,12 +167,12 @@ Foam::capsule::oneSidedFit::oneSidedFit
         const Eigen::Matrix<scalar, 2, 2> tensor = size.tensor();
         local.row(i) <<
             levelSet.image(levelSet.mesh().C()[cells[i]]),
-            -side*levelSet.distance()(i),
+            -side_*levelSet.distance()(i),
             tensor.row(0), tensor.row(1),
             size.direction;
     }
     nodalMatrix all = gather(local);
-    if (curve.axisymmetric())
+    if (levelSet.curve().axisymmetric())
     {
         const label n = all.rows();
         all.conservativeResize(2*n, all.cols());
@@ -275,98 +187,145 @@ Foam::capsule::oneSidedFit::oneSidedFit
             all.col(odd).tail(n) *= -1;
         }
     }
+    return all;
+}
 
-    const label n = curve.basis().nPacked();
+
+Foam::labelList Foam::capsule::oneSidedFit::seenFrom
+(
+    const vector2& x,
+    const nodalMatrix& all,
+    Eigen::Matrix<scalar, 2, 2>& toCells
+) const
+{
+    const membraneLevelSet& levelSet = interface_.levelSet();
+    const scalar width = levelSet.width();
+
+    DynamicList<lineOfSight::obstacle> obstacles;
+    for (const lineOfSight::obstacle& o : levelSet.obstacles())
+    {
+        const scalar length = (o.second() - o.first()).norm();
+        if ((o.first() - x).norm() < radius*width + length)
+        {
+            obstacles.append(o);
+        }
+    }
+
+    // Cells seen, and their mean size around the node
+    DynamicList<label> seen;
+    Eigen::Matrix<scalar, 2, 2> mean;
+    mean.setZero();
+    scalar total = 0;
+    scalar nearest = GREAT;
+    vector2 direction(1, 0);
+    for (label i = 0; i < all.rows(); ++i)
+    {
+        const vector2 c = all.row(i).head<2>();
+        const scalar d = (c - x).norm();
+        if (d < radius*width && lineOfSight::clear(obstacles, x, c))
+        {
+            seen.append(i);
+            const scalar w = sqr(max(1 - sqr(d/(1.5*width)), scalar(0)));
+            mean.row(0) += w*all.block<1, 2>(i, 3);
+            mean.row(1) += w*all.block<1, 2>(i, 5);
+            total += w;
+            if (d < nearest)
+            {
+                nearest = d;
+                direction = all.block<1, 2>(i, 7);
+            }
+        }
+    }
+    if (total == 0)
+    {
+        return labelList();
+    }
+
+    toCells << direction, turned(direction);
+    toCells *= total*mean.inverse();
+    return labelList(std::move(seen));
+}
+
+
+void Foam::capsule::oneSidedFit::setNode
+(
+    const label node,
+    const nodalMatrix& all
+)
+{
+    const membraneLevelSet& levelSet = interface_.levelSet();
+    const closedSurface& curve = levelSet.curve();
+    const vector2 x = curve.nodes().row(node);
+
+    // To cell widths along the directions of the mesh
+    Eigen::Matrix<scalar, 2, 2> toCells;
+    toCells.setIdentity();
+    const labelList seen(seenFrom(x, all, toCells));
+    const scalar beyondCell =
+        1/(toCells*curve.normal().row(node).transpose()).norm();
+
+    DynamicList<label> near;
+    DynamicList<scalar> weights;
+    nodalVectors points(seen.size(), 2);
+    for (const label i : seen)
+    {
+        const vector2 d = (all.row(i).head<2>() - x)*toCells.transpose();
+        const scalar beyond = max(all(i, 2)/beyondCell, scalar(0));
+        if (d.norm() < radius && beyond < reach)
+        {
+            points.row(near.size()) = d;
+            near.append(i);
+            weights.append
+            (
+                sqr
+                (
+                    (1 - d.squaredNorm()/sqr(radius))
+                   *(1 - sqr(beyond/reach))
+                )
+            );
+        }
+    }
+    rows_[node] = cubicFit
+    (
+        points.topRows(near.size()),
+        Eigen::Map<const nodalScalars>(weights.cdata(), weights.size())
+    );
+    if (seen.empty() || rows_[node].cols() == 0)
+    {
+        FatalErrorInFunction
+            << "Only " << near.size() << " cells around the membrane "
+            << levelSet.name() << " at " << levelSet.plane().toPoint(x)
+            << ": it has left the mesh or touches a wall"
+            << exit(FatalError);
+    }
+    stencils_[node] = near;
+    rows_[node].bottomRows<2>() =
+        (toCells.transpose()*rows_[node].bottomRows<2>()).eval();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::oneSidedFit::oneSidedFit
+(
+    const immersedInterface& interface,
+    const label side
+)
+:
+    interface_(interface),
+    side_(side),
+    sizes_(Pstream::nProcs(), Zero)
+{
+    sizes_[Pstream::myProcNo()] = interface.levelSet().cells().size();
+    allGatherList(sizes_);
+
+    const nodalMatrix all = bandCells();
+    const label n = interface.levelSet().curve().basis().nPacked();
     stencils_.setSize(n);
     rows_.setSize(n);
     for (label node = 0; node < n; ++node)
     {
-        const vector2 x = curve.nodes().row(node);
-
-        DynamicList<lineOfSight::obstacle> obstacles;
-        for (const lineOfSight::obstacle& o : levelSet.obstacles())
-        {
-            const scalar length = (o.second() - o.first()).norm();
-            if ((o.first() - x).norm() < radius*width + length)
-            {
-                obstacles.append(o);
-            }
-        }
-
-        // Cells seen, and their mean size around the node
-        DynamicList<label> seen;
-        Eigen::Matrix<scalar, 2, 2> mean;
-        mean.setZero();
-        scalar total = 0;
-        scalar nearest = GREAT;
-        vector2 direction(1, 0);
-        for (label i = 0; i < all.rows(); ++i)
-        {
-            const vector2 c = all.row(i).head<2>();
-            const scalar d = (c - x).norm();
-            if (d < radius*width && lineOfSight::clear(obstacles, x, c))
-            {
-                seen.append(i);
-                const scalar w = sqr(max(1 - sqr(d/(1.5*width)), scalar(0)));
-                mean.row(0) += w*all.block<1, 2>(i, 3);
-                mean.row(1) += w*all.block<1, 2>(i, 5);
-                total += w;
-                if (d < nearest)
-                {
-                    nearest = d;
-                    direction = all.block<1, 2>(i, 7);
-                }
-            }
-        }
-
-        // To cell widths along the directions of the mesh
-        Eigen::Matrix<scalar, 2, 2> toCells;
-        toCells << direction, turned(direction);
-        if (total > 0)
-        {
-            toCells *= total*mean.inverse();
-        }
-        const scalar beyondCell =
-            1/(toCells*curve.normal().row(node).transpose()).norm();
-
-        DynamicList<label> near;
-        DynamicList<scalar> weights;
-        nodalVectors points(seen.size(), 2);
-        for (const label i : seen)
-        {
-            const vector2 d =
-                (all.row(i).head<2>() - x)*toCells.transpose();
-            const scalar beyond = max(all(i, 2)/beyondCell, scalar(0));
-            if (d.norm() < radius && beyond < reach)
-            {
-                points.row(near.size()) = d;
-                near.append(i);
-                weights.append
-                (
-                    sqr
-                    (
-                        (1 - d.squaredNorm()/sqr(radius))
-                       *(1 - sqr(beyond/reach))
-                    )
-                );
-            }
-        }
-        rows_[node] = cubic
-        (
-            points.topRows(near.size()),
-            Eigen::Map<const nodalScalars>(weights.cdata(), weights.size())
-        );
-        if (total == 0 || rows_[node].cols() == 0)
-        {
-            FatalErrorInFunction
-                << "Only " << near.size() << " cells around the membrane "
-                << levelSet.name() << " at " << levelSet.plane().toPoint(x)
-                << ": it has left the mesh or touches a wall"
-                << exit(FatalError);
-        }
-        stencils_[node] = near;
-        rows_[node].bottomRows<2>() =
-            (toCells.transpose()*rows_[node].bottomRows<2>()).eval();
+        setNode(node, all);
     }
 }
 
