@@ -48,7 +48,7 @@ namespace capsule
     )
     {
         return
-            mag(plane.radius(x)) < 1e-6*width
+            plane.axisymmetric() && mag(plane.radius(x)) < 1e-6*width
           ? vector2(x(0), plane.axisAt())
           : x;
     }
