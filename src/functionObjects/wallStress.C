@@ -43,7 +43,12 @@ Foam::functionObjects::wallStress::wallStress
     read(dict);
 
     file().precision(12);
-    writeHeader(file(), "Shear stress [Pa], and force per thickness [N/m]");
+    writeHeader
+    (
+        file(),
+        "Shear stress [Pa], and force per thickness [N/m],"
+        " in a wedge of the whole turn [N], along the axis only"
+    );
     writeCommented(file(), "Time");
     for
     (
