@@ -181,20 +181,16 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
       ? system.plane()(vector(-emptyDrop_/magSqr(period())*period()))
       : capsule::vector2(0, 0);
 
-    // The equivalent force, in a fluid of one viscosity, says the same in Stokes
-    // flow; the velocity would have to be known to 1/lambda of it
-    const bool equivalent =
-        word(mesh_.ddtScheme("ddt(U)")) == "steadyState"
-     && system.subDict("coupling").getOrDefault<word>("interface", "sharp")
-     == "sharp";
 
     scalar power = 0;
     for (label i = 0; i < system.size(); ++i)
     {
         const capsule::membrane& m = system[i];
         const capsule::closedSurface curve(m.basis(), m.now().interface);
-        if (equivalent)
+        if (system.oneViscosity(i))
         {
+            // The equivalent force says the same; the velocity would have to be
+            // known to 1/lambda of it
             const nodalVectors u0 =
                 system.fit(i).smooth(*emptyU_, *emptyp_).value.leftCols(2);
             power -=

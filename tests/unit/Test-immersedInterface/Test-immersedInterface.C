@@ -160,7 +160,7 @@ static void writeResiduals
             exact.at(behind, in, u, minus);
             slope(i) = (plus - minus)/(2*step);
         }
-        const label kind = (interface.cut()[celli] ? 1 : 0);
+        const label kind = (interface.cut().found(celli) ? 1 : 0);
         laplacians[kind] = max
         (
             laplacians[kind],
