@@ -57,7 +57,18 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::resolved
     const nodalVectors& n = curve.normal();
     const nodalVectors& t = curve.tangent();
 
-    return scaled(filter*dot(f, n), n) + scaled(filter*dot(f, t), t);
+    nodalVectors result =
+        scaled(filter*dot(f, n), n) + scaled(filter*dot(f, t), t);
+
+    if (curve.axisymmetric())
+    {
+        // The rest has no resultant along the axis, or it would not fade; a
+        // smooth pressure takes it
+        const scalar missing = curve.resultant(f - result)(0);
+        const nodalVectors smooth = scaled(n.col(0), n);
+        result += missing/curve.resultant(smooth)(0)*smooth;
+    }
+    return result;
 }
 
 
