@@ -32,31 +32,25 @@ Foam::capsule::axisymmetricBasis::axisymmetricBasis
             << "A surface of revolution needs an even number of points, not "
             << n << abort(FatalError);
     }
+
+    // r f g = Sum_k b_k sin k theta has the integral Sum 2 b_k/k, k odd; once
+    // around is 2 pi, shared by the two halves, on one of which r is negative
+    const label half = nPacked();
+    for (label j = 0; j < half; ++j)
+    {
+        const scalar theta = (j + 0.5)*spacing();
+        scalar sum = 0;
+        for (label k = 1; k <= half; k += 2)
+        {
+            sum += (k < half ? 2 : 1)*2*std::sin(k*theta)/(half*scalar(k));
+        }
+        weights_(j) = pi*sum;
+        weights_(n - 1 - j) = -pi*sum;
+    }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::capsule::nodalScalars Foam::capsule::axisymmetricBasis::weights() const
-{
-    // r f g = Sum_k b_k sin k theta has the integral Sum 2 b_k/k, k odd; once
-    // around is 2 pi, shared by the two halves, on one of which r is negative
-    const label n = nPacked();
-    nodalScalars result(2*n);
-    for (label j = 0; j < n; ++j)
-    {
-        const scalar theta = (j + 0.5)*spacing();
-        scalar sum = 0;
-        for (label k = 1; k <= n; k += 2)
-        {
-            sum += (k < n ? 2 : 1)*2*std::sin(k*theta)/(n*scalar(k));
-        }
-        result(j) = pi*sum;
-        result(2*n - 1 - j) = -pi*sum;
-    }
-    return result;
-}
-
 
 Foam::capsule::nodalScalars Foam::capsule::axisymmetricBasis::pack
 (

@@ -21,7 +21,8 @@ Foam::capsule::surfaceBasis::surfaceBasis(const label n)
 :
     n_(n),
     analysis_(n, n),
-    derivative_(n, n)
+    derivative_(n, n),
+    weights_(nodalScalars::Constant(n, spacing()))
 {
     nodalMatrix slopes(n, n);
 
