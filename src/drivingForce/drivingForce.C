@@ -52,7 +52,7 @@ Foam::vector Foam::capsule::drivingForce::readAlongPeriods
 
     vector beside(value);
     List<vector> periods;
-    for (const vector2& p : plane.images().periods())
+    for (const solvedVector& p : plane.images().periods())
     {
         periods.append(plane.toVector(p));
         beside -= (value & periods.last())/magSqr(periods.last())*periods.last();

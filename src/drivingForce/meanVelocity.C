@@ -67,7 +67,7 @@ Foam::capsule::drivingForces::meanVelocity::meanVelocity
 Foam::vectorField Foam::capsule::drivingForces::meanVelocity::fixed() const
 {
     vectorField directions;
-    for (const vector2& p : plane_.images().periods())
+    for (const solvedVector& p : plane_.images().periods())
     {
         directions.append(plane_.toVector(p.normalized()));
     }

@@ -63,12 +63,10 @@ void Foam::capsule::GCR::setForceResponses
 Foam::vector Foam::capsule::GCR::mean(const nodalScalars& x) const
 {
     const scalarField& V = mesh_.V();
-    vector sum(Zero);
-    forAll(V, celli)
-    {
-        sum += V[celli]*plane_.toVector(x.segment<2>(3*celli));
-    }
-    return returnReduce(sum, sumOp<vector>())/gSum(V);
+    vectorField U(V.size());
+    scalarField p(V.size());
+    unpack(x, U, p);
+    return gSum(V*U)/gSum(V);
 }
 
 

@@ -125,6 +125,12 @@ Foam::capsule::directFlowSolver::directFlowSolver
             << "Entry solver is direct, which runs on one processor only;"
             << " in parallel: fractionalStep" << exit(FatalIOError);
     }
+    if (plane_.size() == 3)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry solver is direct, which is for plane meshes and wedges;"
+            << " in space: fractionalStep" << exit(FatalIOError);
+    }
 }
 
 

@@ -54,7 +54,7 @@ void Foam::capsule::flowEquations::setReference(const dictionary& dict)
 
 void Foam::capsule::flowEquations::checkHeld() const
 {
-    bool held = plane_.images().periods().size() < 2;
+    bool held = plane_.images().periods().size() < plane_.size();
     for (const fvPatchVectorField& pf : U_.boundaryField())
     {
         held = held || pf.fixesValue();
@@ -63,7 +63,7 @@ void Foam::capsule::flowEquations::checkHeld() const
     {
         FatalIOErrorInFunction(mesh_.schemesDict().subDict("ddtSchemes"))
             << "Entry ddt(U) is steadyState, Stokes flow, but the mesh is"
-            << " periodic in both directions and no boundary gives the"
+            << " periodic in all directions and no boundary gives the"
             << " velocity: its level is free; permitted here: Euler, backward"
             << exit(FatalIOError);
     }
@@ -168,15 +168,9 @@ Foam::capsule::nodalScalars Foam::capsule::flowEquations::residual
             (pRefValue_ - p_[pRefCell_])/pressureScale_;
     }
 
-    const label n = mesh_.nCells();
-    nodalScalars r(3*n);
-    for (label celli = 0; celli < n; ++celli)
-    {
-        r.segment<2>(3*celli) =
-            momentumScale_[celli]*plane_(momentum[celli]).transpose();
-        r(3*celli + 2) = continuityScale_[celli]*continuity[celli];
-    }
-    return r;
+    momentum *= momentumScale_;
+    continuity *= continuityScale_;
+    return packed(momentum, continuity);
 }
 
 
@@ -200,12 +194,9 @@ void Foam::capsule::flowEquations::unscale
     scalarField& continuity
 ) const
 {
-    forAll(momentum, celli)
-    {
-        momentum[celli] =
-            plane_.toVector(r.segment<2>(3*celli))/momentumScale_[celli];
-        continuity[celli] = r(3*celli + 2)/continuityScale_[celli];
-    }
+    unpack(r, momentum, continuity);
+    momentum /= momentumScale_;
+    continuity /= continuityScale_;
 }
 
 
@@ -215,23 +206,45 @@ Foam::capsule::nodalScalars Foam::capsule::flowEquations::packed
     const scalarField& p
 ) const
 {
-    nodalScalars x(3*U.size());
+    const label n = plane_.size();
+    nodalScalars x((n + 1)*U.size());
+    scalar* unknown = x.data();
     forAll(U, celli)
     {
-        x.segment<2>(3*celli) = plane_(U[celli]).transpose();
-        x(3*celli + 2) = p[celli];
+        for (label i = 0; i < n; ++i)
+        {
+            *unknown++ = U[celli][plane_.axis(i)];
+        }
+        *unknown++ = p[celli];
     }
     return x;
 }
 
 
+void Foam::capsule::flowEquations::unpack
+(
+    const nodalScalars& x,
+    vectorField& U,
+    scalarField& p
+) const
+{
+    const label n = plane_.size();
+    const scalar* unknown = x.data();
+    forAll(U, celli)
+    {
+        U[celli] = Zero;
+        for (label i = 0; i < n; ++i)
+        {
+            U[celli][plane_.axis(i)] = *unknown++;
+        }
+        p[celli] = *unknown++;
+    }
+}
+
+
 void Foam::capsule::flowEquations::unpack(const nodalScalars& x)
 {
-    forAll(U_, celli)
-    {
-        U_[celli] = plane_.toVector(x.segment<2>(3*celli));
-        p_[celli] = x(3*celli + 2);
-    }
+    unpack(x, U_.primitiveFieldRef(), p_.primitiveFieldRef());
 }
 
 

@@ -69,6 +69,30 @@ Foam::wordList Foam::capsule::fractionalStep::homogeneous
 }
 
 
+Foam::scalar Foam::capsule::fractionalStep::wallFriction() const
+{
+    scalar walls = 0;
+    symmTensor facing(Zero);
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        if (isA<wallPolyPatch>(pp))
+        {
+            const vectorField& S = pp.faceAreas();
+            walls += gSum(mag(S));
+            facing += gSum(sqr(S)/mag(S));
+        }
+    }
+    // In space walls that face in one direction are plates
+    const bool plates =
+        plane_.spatial()
+      ? magSqr(facing) > 0.8*sqr(walls)
+      : !plane_.axisymmetric();
+    const scalar perDiameter = walls/(4*gSum(mesh_.V().field()));
+
+    return (plates ? 48 : 32)*sqr(perDiameter);
+}
+
+
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
 void Foam::capsule::fractionalStep::setPreconditioner(const fvVectorMatrix& UEqn)
@@ -120,19 +144,7 @@ void Foam::capsule::fractionalStep::setPreconditioner(const fvVectorMatrix& UEqn
     reduce(geometric, sumOp<scalar>());
     mu_ = viscous/geometric;
 
-    scalar walls = 0;
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        if (isA<wallPolyPatch>(pp))
-        {
-            walls += gSum(mag(pp.faceAreas()));
-        }
-    }
-    // 48 mu/D^2 between plates, 32 mu/D^2 in a tube, D = 4 V/A
-    const scalar perDiameter = walls/(4*gSum(mesh_.V().field()));
-    friction_ =
-        sum/mesh_.V().field()
-      + (plane_.axisymmetric() ? 32 : 48)*mu_*sqr(perDiameter);
+    friction_ = sum/mesh_.V().field() + mu_*wallFriction();
 
     if (!pressureEqn_.valid())
     {

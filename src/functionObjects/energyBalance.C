@@ -34,6 +34,16 @@ const char* const Foam::functionObjects::energyBalance::notKnown_ = "nan";
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+const char* Foam::functionObjects::energyBalance::unit() const
+{
+    const capsule::solvedDirections& plane =
+        mesh_.lookupObject<capsule::membraneSystem>("membraneProperties")
+       .plane();
+
+    return plane.axisymmetric() || plane.spatial() ? " [W]" : " [W/m]";
+}
+
+
 Foam::Pair<Foam::scalar> Foam::functionObjects::energyBalance::boundaries
 (
     const volVectorField& U,
@@ -172,7 +182,7 @@ Foam::functionObjects::energyBalance::energyBalance
     read(dict);
 
     file().precision(12);
-    writeHeader(file(), "Balance of mechanical energy [W/m]");
+    writeHeader(file(), string("Balance of mechanical energy") + unit());
     writeCommented(file(), "Time");
     for
     (
@@ -259,10 +269,10 @@ bool Foam::functionObjects::energyBalance::write()
     scalar gross = 0;
     for (label i = 0; i < system.size(); ++i)
     {
-        const capsule::closedSurface curve(system[i].curve());
-        const capsule::nodalScalars power = system[i].power(curve);
-        membranes += curve.integral(power);
-        gross += curve.integral(power.cwiseAbs());
+        const capsule::closedSurface surface(system[i].surface());
+        const capsule::nodalScalars power = system[i].power(surface);
+        membranes += surface.integral(power);
+        gross += surface.integral(power.cwiseAbs());
     }
 
     const scalar stress = boundary.first()/sector;
@@ -284,8 +294,7 @@ bool Foam::functionObjects::energyBalance::write()
     {
         WarningInFunction
             << "Power of " << imbalance
-            << (system.plane().axisymmetric() ? " [W]" : " [W/m]")
-            << " is out of balance, but "
+            << unit() << " is out of balance, but "
             << fed << " feed the flow: the mesh does not resolve it" << endl;
     }
     return true;

@@ -176,49 +176,52 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
     using capsule::nodalVectors;
 
     // Mean gradient of the empty channel, which its pressure is without
-    const capsule::vector2 mean =
+    const capsule::solvedVector mean = system.plane()
+    (
         driven()
-      ? system.plane()(vector(-emptyDrop_/magSqr(period())*period()))
-      : capsule::vector2(0, 0);
+      ? vector(-emptyDrop_/magSqr(period())*period())
+      : vector(Zero)
+    );
 
 
     scalar power = 0;
     for (label i = 0; i < system.size(); ++i)
     {
         const capsule::membrane& m = system[i];
-        const capsule::closedSurface curve(m.basis(), m.now().interface);
+        const capsule::closedSurface surface(m.basis(), m.now().interface);
         if (system.oneViscosity(i))
         {
             // The equivalent force says the same; the velocity would have to be
             // known to 1/lambda of it
             const nodalVectors u0 =
-                system.fit(i).smooth(*emptyU_, *emptyp_).value.leftCols(2);
+                system.fit(i).smooth(*emptyU_, *emptyp_).value
+               .leftCols(surface.nComponents());
             power -=
-                system.plane().sector()*curve.integral(dot(m.now().force, u0));
+                system.plane().sector()*surface.integral(dot(m.now().force, u0));
             continue;
         }
-        const nodalVectors& n = curve.normal();
-        const nodalVectors F = m.force(m.curve(), curve.areaElement());
+        const nodalVectors& n = surface.normal();
+        const nodalVectors F = m.force(m.surface(), surface.areaElement());
 
         // No net flux, so that the level of the pressure has no weight
         nodalVectors U = m.now().velocity;
-        U -= curve.integral(dot(U, n))/curve.surface()*n;
+        U -= surface.integral(dot(U, n))/surface.area()*n;
 
         const capsule::oneSidedFit::fitted empty =
             system.fit(i).smooth(*emptyU_, *emptyp_);
         nodalVectors traction = empty.traction(n, mu_);
         traction -= capsule::scaled
         (
-            (curve.nodes().rowwise() - curve.centroid())*mean.transpose(),
+            (surface.nodes().rowwise() - surface.centroid())*mean.transpose(),
             n
         );
 
         power +=
             system.plane().sector()
-           *curve.integral
+           *surface.integral
             (
                 (m.viscosity()/mu_ - 1)*dot(U, traction)
-              - dot(F, empty.value.leftCols(2))
+              - dot(F, empty.value.leftCols(surface.nComponents()))
             );
     }
     return power/flux_;

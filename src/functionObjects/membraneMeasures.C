@@ -29,6 +29,31 @@ namespace functionObjects
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+
+static void writeVector(const capsule::solvedVector& v, Ostream& os)
+{
+    for (Eigen::Index i = 0; i < v.size(); ++i)
+    {
+        os  << tab << v(i);
+    }
+}
+
+
+static void writeRange(const capsule::nodalScalars& field, Ostream& os)
+{
+    os  << tab << field.minCoeff() << tab << field.maxCoeff();
+}
+
+} // End namespace functionObjects
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 const Foam::capsule::membraneSystem&
@@ -51,6 +76,19 @@ Foam::functionObjects::membraneMeasures::columns() const
             "gap", "taylorDeformation", "elasticEnergy", "power"
         };
     }
+    if (membranes().plane().spatial())
+    {
+        return
+        {
+            "x", "y", "z", "U", "V", "W", "volume", "surface",
+            "lengthX", "lengthY", "lengthZ",
+            "longAxis", "middleAxis", "shortAxis",
+            "minStretch", "maxStretch", "minSecondStretch", "maxSecondStretch",
+            "minTension", "maxTension", "minSecondTension", "maxSecondTension",
+            "gap", "taylorDeformation", "elasticEnergy", "bendingEnergy",
+            "power", "inclination"
+        };
+    }
     return
     {
         "x", "y", "U", "V", "area", "perimeter",
@@ -68,42 +106,80 @@ void Foam::functionObjects::membraneMeasures::writeMeasures
     Ostream& os
 ) const
 {
-    using capsule::vector2;
-
-    const capsule::closedSurface curve = m.curve();
-    const vector2 centre = curve.centroid();
-    const scalar volume = curve.volume();
-    const vector2 U = curve.flow(m.now().velocity)/volume;
-    const vector2 extents = curve.extents();
-    const scalar power = curve.integral(m.power(curve));
-    const auto writeRange = [&](const capsule::nodalScalars& field)
-    {
-        os  << tab << field.minCoeff() << tab << field.maxCoeff();
-    };
-
     os  << mesh_.time().timeOutputValue();
-    if (curve.axisymmetric())
+
+    const capsule::closedSurface surface = m.surface();
+    if (surface.spatial())
+    {
+        writeSpatial(m, gap, os);
+        return;
+    }
+    const capsule::solvedVector centre = surface.centroid();
+    const scalar volume = surface.volume();
+    const capsule::solvedVector U = surface.flow(m.now().velocity)/volume;
+    const capsule::solvedVector extents = surface.extents();
+    const scalar power = surface.integral(m.power(surface));
+    const capsule::membraneMechanics::principalValues p = m.principal(surface);
+
+    if (surface.axisymmetric())
     {
         os  << tab << centre(0) << tab << U(0)
-            << tab << volume << tab << curve.surface()
+            << tab << volume << tab << surface.area()
             << tab << extents(0) << tab << extents(1);
-        writeRange(m.stretch(curve));
-        writeRange(m.secondStretch(curve));
-        writeRange(m.tension(curve));
-        writeRange(m.secondTension(curve));
-        os  << tab << gap << tab << curve.taylorDeformation()
-            << tab << (m.hasEnergy() ? m.elasticEnergy(curve) : 0)
+        for (const capsule::nodalScalars* field : {&p.l1, &p.l2, &p.T1, &p.T2})
+        {
+            writeRange(*field, os);
+        }
+        os  << tab << gap << tab << surface.taylorDeformation()
+            << tab << (m.hasEnergy() ? m.elasticEnergy(surface) : 0)
             << tab << power << endl;
         return;
     }
     os  << tab << centre(0) << tab << centre(1) << tab << U(0) << tab << U(1)
-        << tab << volume << tab << curve.surface()
+        << tab << volume << tab << surface.area()
         << tab << extents(0) << tab << extents(1);
-    writeRange(m.stretch(curve));
-    os  << tab << curve.taylorDeformation()
-        << tab << m.elasticEnergy(curve)
+    writeRange(p.l1, os);
+    os  << tab << surface.taylorDeformation()
+        << tab << m.elasticEnergy(surface)
         << tab << power
-        << tab << radToDeg(curve.inclination()) << endl;
+        << tab << radToDeg(surface.inclination()) << endl;
+}
+
+
+void Foam::functionObjects::membraneMeasures::writeSpatial
+(
+    const capsule::membrane& m,
+    const scalar gap,
+    Ostream& os
+) const
+{
+    const capsule::closedSurface surface = m.surface();
+    const scalar volume = surface.volume();
+    const capsule::membraneMechanics::principalValues p = m.principal(surface);
+
+    writeVector(surface.centroid(), os);
+    writeVector(surface.flow(m.now().velocity)/volume, os);
+    os  << tab << volume << tab << surface.area();
+    writeVector(surface.extents(), os);
+
+    const capsule::solvedVector axes = surface.semiAxes();
+    if (axes.size())
+    {
+        writeVector(axes, os);
+    }
+    else
+    {
+        os  << tab << "nan" << tab << "nan" << tab << "nan";
+    }
+    for (const capsule::nodalScalars* field : {&p.l1, &p.l2, &p.T1, &p.T2})
+    {
+        writeRange(*field, os);
+    }
+    os  << tab << gap << tab << surface.taylorDeformation()
+        << tab << (m.hasEnergy() ? m.elasticEnergy(surface) : 0)
+        << tab << m.bendingEnergy(surface)
+        << tab << surface.integral(m.power(surface))
+        << tab << radToDeg(surface.inclination()) << endl;
 }
 
 
@@ -112,12 +188,16 @@ void Foam::functionObjects::membraneMeasures::writeVtk
     const capsule::membrane& m
 ) const
 {
-    const capsule::membraneVtk vtk(m, membranes().plane());
+    const capsule::solvedDirections& plane = membranes().plane();
+    const capsule::membraneVtk vtk(m, plane);
     const fileName dir(baseTimeDir());
     mkDir(dir);
-    vtk.writeLine(dir/m.name() + ".vtk");
-    writeSeries(m.name() + ".vtk");
-    if (membranes().plane().axisymmetric())
+    if (!plane.spatial())
+    {
+        vtk.writeLine(dir/m.name() + ".vtk");
+        writeSeries(m.name() + ".vtk");
+    }
+    if (plane.axisymmetric() || plane.spatial())
     {
         vtk.writeSurface(dir/m.name() + ".surface.vtk");
         writeSeries(m.name() + ".surface.vtk");
@@ -173,7 +253,11 @@ bool Foam::functionObjects::membraneMeasures::read(const dictionary& dict)
     capsule::input::warnOfOthers
     (
         dict,
-        capsule::input::joined(capsule::input::functionObjectEntries(), {"lines"})
+        capsule::input::joined
+        (
+            capsule::input::functionObjectEntries(),
+            {"lines"}
+        )
     );
     lines_ = capsule::input::getOrDefault<bool>(dict, "lines", false);
     return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
@@ -192,14 +276,13 @@ bool Foam::functionObjects::membraneMeasures::write()
 
     // Walls of all processors
     scalarList gaps(system.size(), Zero);
-    if (system.plane().axisymmetric())
+    if (system.plane().axisymmetric() || system.plane().spatial())
     {
         forAll(gaps, i)
         {
-            const capsule::closedSurface curve(system[i].curve());
             gaps[i] = capsule::meshBoundary::New(mesh_).toWalls
             (
-                curve.sampled(4*curve.size())
+                system[i].surface().sampled()
             );
         }
     }

@@ -12,20 +12,13 @@ License
 #include "membraneVtk.H"
 #include "membrane.H"
 #include "solvedDirections.H"
+#include "sphericalBasis.H"
 #include "OFstream.H"
 #include "mathematicalConstants.H"
 
+using Foam::constant::mathematical::pi;
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- A point of the surface: values of a node, or interpolated at an end of the
-//  axis, and the angle about the axis
-struct Foam::capsule::membraneVtk::station
-{
-    nodalScalars weights;
-    scalar cosine;
-    scalar sine;
-};
-
 
 namespace Foam
 {
@@ -34,6 +27,10 @@ namespace capsule
 
 //- Points around the axis
 static const label nAround = 48;
+
+//- Least degree of the grid of a surface in space: the nodes of a smooth one
+//  are too few for a picture
+static const label pictureDegree = 31;
 
 
 static void writeHeader
@@ -54,18 +51,71 @@ static void writeVector(const vector& v, Ostream& os)
     os  << v.x() << ' ' << v.y() << ' ' << v.z() << nl;
 }
 
+
+//- Polygons between rings of points, which come after the two poles
+static void writeRings(const label nRings, const label nAround, Ostream& os)
+{
+    const label nQuads = (nRings - 1)*nAround;
+    os  << "POLYGONS " << nQuads + 2*nAround << ' '
+        << 5*nQuads + 4*2*nAround << nl;
+    const auto ring = [&](const label i, const label around)
+    {
+        return 2 + i*nAround + around;
+    };
+    for (label k = 0; k < nAround; ++k)
+    {
+        const label next = (k + 1) % nAround;
+        os  << "3 0 " << ring(0, k) << ' ' << ring(0, next) << nl
+            << "3 1 " << ring(nRings - 1, next) << ' '
+            << ring(nRings - 1, k) << nl;
+        for (label i = 0; i + 1 < nRings; ++i)
+        {
+            os  << "4 " << ring(i, k) << ' ' << ring(i + 1, k) << ' '
+                << ring(i + 1, next) << ' ' << ring(i, next) << nl;
+        }
+    }
+}
+
 } // End namespace capsule
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::capsule::membraneVtk::addVectors
+(
+    const char* name,
+    const nodalVectors& v
+)
+{
+    vectors_.append(name);
+    fields_.conservativeResize(v.rows(), fields_.cols() + v.cols());
+    fields_.rightCols(v.cols()) = v;
+}
+
+
+void Foam::capsule::membraneVtk::addScalars
+(
+    const char* name,
+    const nodalScalars& f
+)
+{
+    scalars_.append(name);
+    fields_.conservativeResize(f.rows(), fields_.cols() + 1);
+    fields_.rightCols(1) = f;
+}
+
+
 Foam::vector Foam::capsule::membraneVtk::turned
 (
-    const vector2& v,
+    const solvedVector& v,
     const station& s
 ) const
 {
+    if (!plane_.axisymmetric())
+    {
+        return plane_.toVector(v);
+    }
     const vector along = plane_.toVector(vector2(v(0), 0));
     const vector away = plane_.toVector(vector2(0, v(1)));
     const vector axis = plane_.toVector(vector2(1, 0));
@@ -76,16 +126,21 @@ Foam::vector Foam::capsule::membraneVtk::turned
 
 void Foam::capsule::membraneVtk::writePoints
 (
+    const nodalMatrix& fields,
     const UList<station>& at,
     Ostream& os
 ) const
 {
     // Turned about the axis
-    const vector2 axis(0, plane_.axisymmetric() ? plane_.axisAt() : 0);
+    solvedVector axis(solvedVector::Zero(plane_.size()));
+    if (plane_.axisymmetric())
+    {
+        axis(1) = plane_.axisAt();
+    }
     const point origin = plane_.toPoint(axis);
     for (const station& s : at)
     {
-        const vector2 x = s.weights.transpose()*x_;
+        const solvedVector x = fields.row(s.row).head(plane_.size());
         writeVector(origin + turned(x - axis, s), os);
     }
 }
@@ -93,30 +148,98 @@ void Foam::capsule::membraneVtk::writePoints
 
 void Foam::capsule::membraneVtk::writeFields
 (
+    const nodalMatrix& fields,
     const UList<station>& at,
     Ostream& os
 ) const
 {
+    const label d = plane_.size();
+
+    // After the points
+    label column = d;
     os  << "POINT_DATA " << at.size() << nl;
-    const auto writeVectors = [&](const char* name, const nodalVectors& field)
+    for (const char* name : vectors_)
     {
         os  << "VECTORS " << name << " float" << nl;
         for (const station& s : at)
         {
-            writeVector(turned(s.weights.transpose()*field, s), os);
+            writeVector(turned(fields.row(s.row).segment(column, d), s), os);
         }
-    };
-    writeVectors("velocity", velocity_);
-    writeVectors("force", force_);
-    forAll(names_, i)
+        column += d;
+    }
+    for (const char* name : scalars_)
     {
-        os  << "SCALARS " << names_[i] << " float 1" << nl
+        os  << "SCALARS " << name << " float 1" << nl
             << "LOOKUP_TABLE default" << nl;
         for (const station& s : at)
         {
-            os  << s.weights.dot(scalars_[i]) << nl;
+            os  << fields(s.row, column) << nl;
+        }
+        ++column;
+    }
+}
+
+
+void Foam::capsule::membraneVtk::writeRevolved(Ostream& os) const
+{
+    // The two ends of the meridian, then rings of its nodes
+    const curveBasis& basis = surface_.basis().curve();
+    const label n = basis.nPacked();
+    const surfaceParameter first(-basis.start(), 0, 0);
+    const surfaceParameter last(pi - basis.start(), 0, 0);
+    nodalMatrix fields(2 + n, fields_.cols());
+    fields.topRows(2) =
+        basis.functions(List<surfaceParameter>{first, last})
+       *(basis.analysis()*fields_);
+    fields.bottomRows(n) = fields_.topRows(n);
+
+    List<station> at(2 + n*nAround);
+    at[0] = station{0, 1, 0};
+    at[1] = station{1, 1, 0};
+    for (label i = 0; i < n; ++i)
+    {
+        for (label k = 0; k < nAround; ++k)
+        {
+            const scalar angle = 2*pi*k/nAround;
+            at[2 + i*nAround + k] =
+                station{2 + i, std::cos(angle), std::sin(angle)};
         }
     }
+
+    writeHeader(membrane_.name(), at.size(), os);
+    writePoints(fields, at, os);
+    writeRings(n, nAround, os);
+    writeFields(fields, at, os);
+}
+
+
+void Foam::capsule::membraneVtk::writeSpatial(Ostream& os) const
+{
+    // The two poles of the parameter sphere, then a grid's circles around them
+    const sphericalBasis& basis = surface_.basis().spherical();
+    const sphericalGrid grid
+    (
+        sphericalHarmonics(0), max(basis.grid().degree(), pictureDegree), 0
+    );
+    List<surfaceParameter> parameters(2 + grid.size());
+    parameters[0] = vector(0, 0, 1);
+    parameters[1] = vector(0, 0, -1);
+    List<station> at(parameters.size(), station{0, 1, 0});
+    forAll(at, i)
+    {
+        at[i].row = i;
+        if (i > 1)
+        {
+            parameters[i] = grid.nodes()[i - 2];
+        }
+    }
+    const nodalMatrix fields =
+        basis.functions(parameters)*(basis.analysis()*fields_);
+
+    writeHeader(membrane_.name(), at.size(), os);
+    writePoints(fields, at, os);
+    writeRings(grid.degree() + 1, 2*grid.degree() + 2, os);
+    writeFields(fields, at, os);
 }
 
 
@@ -130,25 +253,29 @@ Foam::capsule::membraneVtk::membraneVtk
 :
     membrane_(m),
     plane_(plane),
-    curve_(m.curve()),
-    velocity_(m.now().velocity),
-    force_(m.force(curve_, curve_.areaElement()))
+    surface_(m.surface())
 {
-    const vector2 centre = curve_.centroid();
-    x_ = curve_.nodes().rowwise() + (plane.images().wrapped(centre) - centre);
+    const solvedVector centre = surface_.centroid();
+    fields_ =
+        surface_.nodes().rowwise() + (plane.images().wrapped(centre) - centre);
 
-    const auto add = [&](const char* name, const nodalScalars& field)
+    addVectors("velocity", m.now().velocity);
+    addVectors("force", m.force(surface_, surface_.areaElement()));
+
+    const membraneMechanics::principalValues p = m.principal(surface_);
+    addScalars("stretch", p.l1);
+    addScalars("tension", p.T1);
+    if (surface_.axisymmetric())
     {
-        names_.append(name);
-        scalars_.append(field);
-    };
-    add("stretch", m.stretch(curve_));
-    add("tension", m.tension(curve_));
-    if (curve_.axisymmetric())
-    {
-        add("hoopStretch", m.secondStretch(curve_));
-        add("hoopTension", m.secondTension(curve_));
+        addScalars("hoopStretch", p.l2);
+        addScalars("hoopTension", p.T2);
     }
+    else if (surface_.spatial())
+    {
+        addScalars("secondStretch", p.l2);
+        addScalars("secondTension", p.T2);
+    }
+    addScalars("curvature", surface_.totalCurvature());
 }
 
 
@@ -156,71 +283,37 @@ Foam::capsule::membraneVtk::membraneVtk
 
 void Foam::capsule::membraneVtk::writeLine(const fileName& file) const
 {
-    const label n = curve_.size();
-    List<station> at(n);
+    const label n = surface_.size();
+    List<station> at(n, station{0, 1, 0});
     forAll(at, i)
     {
-        at[i] = {nodalScalars::Unit(n, i), 1, 0};
+        at[i].row = i;
     }
 
     OFstream os(file);
     writeHeader(membrane_.name(), n, os);
-    writePoints(at, os);
+    writePoints(fields_, at, os);
     os  << "LINES 1 " << n + 2 << nl << n + 1;
     for (label i = 0; i <= n; ++i)
     {
         os  << ' ' << i % n;
     }
     os  << nl;
-    writeFields(at, os);
+    writeFields(fields_, at, os);
 }
 
 
 void Foam::capsule::membraneVtk::writeSurface(const fileName& file) const
 {
-    // The two ends of the meridian, then rings of its nodes
-    const surfaceBasis& basis = curve_.basis();
-    const label n = basis.nPacked();
-    List<station> at(2 + n*nAround);
-    nodalScalars ends(2);
-    ends << -basis.start(), constant::mathematical::pi - basis.start();
-    const nodalMatrix atEnds = basis.evaluation(ends);
-    at[0] = {atEnds.row(0).transpose(), 1, 0};
-    at[1] = {atEnds.row(1).transpose(), 1, 0};
-    for (label i = 0; i < n; ++i)
-    {
-        for (label k = 0; k < nAround; ++k)
-        {
-            const scalar angle = k*constant::mathematical::twoPi/nAround;
-            at[2 + i*nAround + k] =
-            {
-                nodalScalars::Unit(2*n, i), std::cos(angle), std::sin(angle)
-            };
-        }
-    }
-
     OFstream os(file);
-    writeHeader(membrane_.name(), at.size(), os);
-    writePoints(at, os);
-    const label nQuads = (n - 1)*nAround;
-    os  << "POLYGONS " << nQuads + 2*nAround << ' '
-        << 5*nQuads + 4*2*nAround << nl;
-    for (label k = 0; k < nAround; ++k)
+    if (plane_.spatial())
     {
-        const label next = (k + 1) % nAround;
-        const auto ring = [&](const label i, const label around)
-        {
-            return 2 + i*nAround + around;
-        };
-        os  << "3 0 " << ring(0, k) << ' ' << ring(0, next) << nl
-            << "3 1 " << ring(n - 1, next) << ' ' << ring(n - 1, k) << nl;
-        for (label i = 0; i + 1 < n; ++i)
-        {
-            os  << "4 " << ring(i, k) << ' ' << ring(i + 1, k) << ' '
-                << ring(i + 1, next) << ' ' << ring(i, next) << nl;
-        }
+        writeSpatial(os);
     }
-    writeFields(at, os);
+    else
+    {
+        writeRevolved(os);
+    }
 }
 
 

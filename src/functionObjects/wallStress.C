@@ -47,7 +47,7 @@ Foam::functionObjects::wallStress::wallStress
     (
         file(),
         "Shear stress [Pa], and force per thickness [N/m],"
-        " in a wedge of the whole turn [N], along the axis only"
+        " in a wedge of the whole turn [N], along the axis only, in space [N]"
     );
     writeCommented(file(), "Time");
     for

@@ -23,65 +23,84 @@ namespace capsule
 //  that is orthogonal to those before it is diminished
 static const scalar distinct = 0.3;
 
+
+//- Monomials up to the third degree, in order, at points: 10, in space 20
+static nodalMatrix monomials(const nodalVectors& points)
+{
+    const label d = points.cols();
+    nodalMatrix result(points.rows(), d == 2 ? 10 : 20);
+    result.col(0).setOnes();
+
+    // Each of the last degree, whose last variable is given, times that and
+    // those after it
+    label last[20] = {0};
+    label first = 0;
+    label n = 1;
+    for (label degree = 1; degree <= 3; ++degree)
+    {
+        const label end = n;
+        for (; first < end; ++first)
+        {
+            for (label i = last[first]; i < d; ++i)
+            {
+                last[n] = i;
+                result.col(n) = result.col(first).cwiseProduct(points.col(i));
+                ++n;
+            }
+        }
+    }
+    return result;
+}
+
 } // End namespace capsule
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-Eigen::Matrix<Foam::scalar, 3, Eigen::Dynamic>
-Foam::capsule::cubicFit
+Foam::capsule::fitRows Foam::capsule::cubicFit
 (
     const nodalVectors& points,
     const nodalScalars& weights
 )
 {
     const label n = points.rows();
-    Eigen::Matrix<scalar, Eigen::Dynamic, 10> basis(n, 10);
-    for (label i = 0; i < n; ++i)
-    {
-        const scalar x = points(i, 0);
-        const scalar y = points(i, 1);
-        basis.row(i) <<
-            1, x, y, sqr(x), x*y, sqr(y),
-            pow3(x), sqr(x)*y, x*sqr(y), pow3(y);
-    }
-    basis = weights.asDiagonal()*basis;
+    const label linear = 1 + points.cols();
+    nodalMatrix basis = weights.asDiagonal()*monomials(points);
+    const label nMonomials = basis.cols();
 
     // Gram-Schmidt, twice: orthonormal columns, and value and gradient at the
     // origin of their polynomials
-    Eigen::Matrix<scalar, 3, Eigen::Dynamic> rows =
-        Eigen::Matrix<scalar, 3, Eigen::Dynamic>::Zero(3, n);
-    Eigen::Matrix<scalar, 3, 10> origin(Eigen::Matrix<scalar, 3, 10>::Zero());
-    origin.leftCols<3>().setIdentity();
+    fitRows rows(fitRows::Zero(linear, n));
+    fitRows origin(fitRows::Identity(linear, nMonomials));
     label kept = 0;
-    for (label j = 0; j < 10; ++j)
+
+    for (label j = 0; j < nMonomials; ++j)
     {
         nodalScalars q = basis.col(j);
-        Eigen::Matrix<scalar, 3, 1> atOrigin = origin.col(j);
+        nodalScalars atOrigin = origin.col(j);
         const scalar size = q.norm();
         for (label pass = 0; pass < 2; ++pass)
         {
-            for (label k = 0; k < kept; ++k)
-            {
-                const scalar along = basis.col(k).dot(q);
-                q -= along*basis.col(k);
-                atOrigin -= along*origin.col(k);
-            }
+            const nodalScalars along = basis.leftCols(kept).transpose()*q;
+            q -= basis.leftCols(kept)*along;
+            atOrigin -= origin.leftCols(kept)*along;
         }
         const scalar own = q.norm();
-        if (own < 1e-6*size)
+        if (own <= 1e-6*size)
         {
-            if (j < 3)
+            if (j < linear)
             {
                 // Not even a gradient
-                return Eigen::Matrix<scalar, 3, Eigen::Dynamic>(3, 0);
+                return fitRows(linear, 0);
             }
             continue;
         }
         basis.col(kept) = q/own;
         origin.col(kept) = atOrigin/own;
-        const scalar part = (j < 3 ? 1 : min(sqr(own/distinct), scalar(1)));
+
+        const scalar part =
+            (j < linear ? 1 : min(sqr(own/distinct), scalar(1)));
         rows += part*origin.col(kept)*basis.col(kept).transpose();
         ++kept;
     }

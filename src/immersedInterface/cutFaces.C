@@ -98,17 +98,17 @@ bool Foam::capsule::cutFaces::clear
     const label facei,
     const label P,
     const label N,
-    const Pair<vector2>& ends
+    const nodalVectors& corners
 ) const
 {
     // The distance changes by no more than the way
     const fvMesh& mesh = levelSet_.mesh();
     const auto isClear = [&](const label celli, const scalar distance)
     {
-        const vector2 x = levelSet_.plane()(mesh.cellCentres()[celli]);
+        const solvedVector x = levelSet_.plane()(mesh.cellCentres()[celli]);
         return
-            mag(distance)
-          > max((ends.first() - x).norm(), (ends.second() - x).norm());
+            sqr(distance)
+          > (corners.rowwise() - x).rowwise().squaredNorm().maxCoeff();
     };
     return
         isClear(mesh.faceOwner()[facei], levelSet_.distance()(P))
@@ -160,9 +160,9 @@ void Foam::capsule::cutFaces::add(const label facei)
     const fvMesh& mesh = levelSet_.mesh();
     const bool internal = mesh.isInternalFace(facei);
     const label P = levelSet_.inBand(mesh.faceOwner()[facei]);
-    label N = levelSet_.cells().size() + acrossAlphas_.size();
+    label N = levelSet_.cells().size() + acrossFeet_.size();
     scalar atN = 0;
-    scalar alphaN = 0;
+    surfaceParameter footN(Zero);
     if (internal)
     {
         N = levelSet_.inBand(mesh.faceNeighbour()[facei]);
@@ -172,7 +172,7 @@ void Foam::capsule::cutFaces::add(const label facei)
     {
         atN = levelSet_.signedDistance
         (
-            levelSet_.image(cellSearch::New(mesh).beyond(facei)), alphaN
+            levelSet_.image(cellSearch::New(mesh).beyond(facei)), footN
         );
     }
     if (P == -1 || N == -1)
@@ -182,17 +182,16 @@ void Foam::capsule::cutFaces::add(const label facei)
     }
     const scalar sideP = (levelSet_.distance()(P) < 0 ? -1 : 1);
     const scalar sideN = (atN < 0 ? -1 : 1);
-    const Pair<vector2> line
+    const nodalVectors corners
     (
-        levelSet_.plane().ends(mesh.points(), mesh.faces()[facei])
+        levelSet_.plane().corners(mesh.points(), mesh.faces()[facei])
     );
-    if (sideP == sideN && clear(facei, P, N, line))
+    if (sideP == sideN && clear(facei, P, N, corners))
     {
         return;
     }
 
-    faceParts::located centre{levelSet_.plane()(mesh.faceCentres()[facei]), 0, 0};
-    centre.distance = levelSet_.signedDistance(centre.x, centre.alpha);
+    faceParts::located centre(levelSet_, levelSet_.plane()(mesh.faceCentres()[facei]));
     if (mag(centre.distance) < 1e-10*levelSet_.width())
     {
         // The two halves of a coupled face must agree, whatever the round-off
@@ -205,11 +204,11 @@ void Foam::capsule::cutFaces::add(const label facei)
     {
         if (!internal)
         {
-            acrossAlphas_.append(alphaN);
+            acrossFeet_.append(footN);
             acrossDepths_.append(atN);
         }
         addLinks(facei, P, N, sideP, side);
-        centreAlphas_.append(centre.alpha);
+        centreFeet_.append(centre.foot);
         centreDepths_.append(centre.distance);
     }
 
@@ -219,14 +218,14 @@ void Foam::capsule::cutFaces::add(const label facei)
 
 Foam::capsule::jumpConditions::footPoints Foam::capsule::cutFaces::footPoints
 (
-    const UList<scalar>& alphas,
+    const UList<surfaceParameter>& feet,
     const UList<scalar>& depths
 ) const
 {
     return jumpConditions::footPoints
     (
-        levelSet_.curve(),
-        Eigen::Map<const nodalScalars>(alphas.cdata(), alphas.size()),
+        levelSet_.surface(),
+        feet,
         Eigen::Map<const nodalScalars>(depths.cdata(), depths.size())
     );
 }
@@ -277,17 +276,15 @@ Foam::capsule::cutFaces::cutFaces(const membraneLevelSet& levelSet)
 Foam::capsule::jumpConditions::footPoints Foam::capsule::cutFaces::cells() const
 {
     const label nBand = levelSet_.cells().size();
-    const label nAcross = acrossAlphas_.size();
-    nodalScalars alphas(nBand + nAcross);
+    const label nAcross = acrossFeet_.size();
+    DynamicList<surfaceParameter> feet(levelSet_.feet());
+    feet.append(acrossFeet_);
     nodalScalars depths(nBand + nAcross);
-    alphas <<
-        levelSet_.alpha(),
-        Eigen::Map<const nodalScalars>(acrossAlphas_.cdata(), nAcross);
     depths <<
         levelSet_.distance(),
         Eigen::Map<const nodalScalars>(acrossDepths_.cdata(), nAcross);
 
-    return jumpConditions::footPoints(levelSet_.curve(), alphas, depths);
+    return jumpConditions::footPoints(levelSet_.surface(), feet, depths);
 }
 
 
@@ -295,34 +292,31 @@ Foam::capsule::jumpConditions::footPoints
 Foam::capsule::cutFaces::ownersNeighbours() const
 {
     const label nBand = levelSet_.cells().size();
-    DynamicList<scalar> alphas;
+    DynamicList<surfaceParameter> feet;
     DynamicList<scalar> depths;
     for (const label i : owners_)
     {
         const label n = links_[i].neighbour;
         const bool across = (n >= nBand);
-        alphas.append
-        (
-            across ? acrossAlphas_[n - nBand] : levelSet_.alpha()(n)
-        );
+        feet.append(across ? acrossFeet_[n - nBand] : levelSet_.feet()[n]);
         depths.append
         (
             across ? acrossDepths_[n - nBand] : levelSet_.distance()(n)
         );
     }
-    return footPoints(alphas, depths);
+    return footPoints(feet, depths);
 }
 
 
-Foam::capsule::vector2 Foam::capsule::cutFaces::acrossFace
+Foam::capsule::solvedVector Foam::capsule::cutFaces::acrossFace
 (
     const label facei
 ) const
 {
     const fvMesh& mesh = levelSet_.mesh();
     const pointField& centres = cellSearch::New(mesh).centres();
-    const vector2 own = levelSet_.image(centres[mesh.faceOwner()[facei]]);
-    const vector2 other = levelSet_.image
+    const solvedVector own = levelSet_.image(centres[mesh.faceOwner()[facei]]);
+    const solvedVector other = levelSet_.image
     (
         mesh.isInternalFace(facei)
       ? centres[mesh.faceNeighbour()[facei]]

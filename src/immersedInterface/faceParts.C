@@ -12,6 +12,20 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+const Foam::capsule::faceParts::located& Foam::capsule::faceParts::corner
+(
+    const solvedVector& x,
+    const label pointi
+)
+{
+    if (!known_.found(pointi))
+    {
+        known_.insert(pointi, located(levelSet_, x));
+    }
+    return known_[pointi];
+}
+
+
 Foam::Pair<Foam::capsule::faceParts::located> Foam::capsule::faceParts::ends
 (
     const label facei
@@ -31,41 +45,31 @@ Foam::Pair<Foam::capsule::faceParts::located> Foam::capsule::faceParts::ends
         label& p = second ? lowest.second() : lowest.first();
         p = min(p, pointi);
     }
-    const auto find = [&](const vector2& x, const label pointi)
-    {
-        const auto iter = known_.cfind(pointi);
-        if (iter.found())
-        {
-            return *iter;
-        }
-        located l{x, 0, 0};
-        l.distance = levelSet_.signedDistance(x, l.alpha);
-        known_.insert(pointi, l);
-        return l;
-    };
+
     return Pair<located>
     (
-        find(ends.first(), lowest.first()),
-        find(ends.second(), lowest.second())
+        corner(ends.first(), lowest.first()),
+        corner(ends.second(), lowest.second())
     );
 }
 
 
 Foam::scalar Foam::capsule::faceParts::crossing
 (
-    const located& centre,
-    const located& end
+    const located& from,
+    const located& to
 ) const
 {
     // Regula falsi with halving (Illinois) on the signed distance
-    scalar a = 0, b = 1, fa = centre.distance, fb = end.distance, xi = 0;
-    scalar alpha = centre.alpha;
+    scalar a = 0, b = 1, fa = from.distance, fb = to.distance, xi = 0;
+    surfaceParameter foot = from.foot;
+
     for (label iter = 0; iter < 30; ++iter)
     {
         xi = (a*fb - b*fa)/(fb - fa);
         const scalar f = levelSet_.signedDistanceFrom
         (
-            centre.x + xi*(end.x - centre.x), alpha
+            from.x + xi*(to.x - from.x), foot
         );
         if (mag(f) < 1e-10*levelSet_.width())
         {
@@ -87,7 +91,21 @@ Foam::scalar Foam::capsule::faceParts::crossing
 }
 
 
-void Foam::capsule::faceParts::add
+void Foam::capsule::faceParts::append
+(
+    const label facei,
+    const scalar weight,
+    const solvedVector& x,
+    surfaceParameter foot
+)
+{
+    depths_.append(levelSet_.signedDistanceFrom(x, foot));
+    feet_.append(foot);
+    parts_.append(farSidePart{facei, weight});
+}
+
+
+void Foam::capsule::faceParts::addLine
 (
     const label facei,
     const located& centre,
@@ -112,17 +130,73 @@ void Foam::capsule::faceParts::add
     // Two-point Gauss rule, over the thickness of the mesh
     const scalar area = mag(levelSet_.mesh().faceAreas()[facei]);
     const scalar length = 0.5*(to - from)*(end.x - centre.x).norm();
-    scalar alpha = endFar ? end.alpha : centre.alpha;
     for (const scalar gauss : {-1/Foam::sqrt(3.0), 1/Foam::sqrt(3.0)})
     {
         const scalar xi = 0.5*(from + to + gauss*(to - from));
-        const vector2 x = centre.x + xi*(end.x - centre.x);
-        depths_.append(levelSet_.signedDistanceFrom(x, alpha));
-        alphas_.append(alpha);
-        parts_.append
-        ({
-            facei, -length*levelSet_.plane().thickness(x)/area*side
-        });
+        const solvedVector x = centre.x + xi*(end.x - centre.x);
+        append
+        (
+            facei,
+            -length*levelSet_.plane().thickness(x)/area*side,
+            x,
+            endFar ? end.foot : centre.foot
+        );
+    }
+}
+
+
+void Foam::capsule::faceParts::addTriangle
+(
+    const label facei,
+    const located* corners[3],
+    const scalar side
+)
+{
+    // The polygon beyond: corners there, and where the sides are crossed
+    solvedVector polygon[4];
+    label n = 0;
+    surfaceParameter foot(corners[0]->foot);
+    for (label i = 0; i < 3; ++i)
+    {
+        const located& a = *corners[i];
+        const located& b = *corners[(i + 1) % 3];
+        const bool far = (a.distance*side < 0);
+        if (far)
+        {
+            foot = a.foot;
+            polygon[n++] = a.x;
+        }
+        if (far != (b.distance*side < 0))
+        {
+            // Alike, from whichever triangle the side is seen
+            const bool swapped = (b.distance < a.distance);
+            const scalar xi = (swapped ? crossing(b, a) : crossing(a, b));
+            polygon[n++] =
+                swapped ? b.x + xi*(a.x - b.x) : a.x + xi*(b.x - a.x);
+        }
+    }
+
+    // Triangles about the middle of what has four corners: the two halves of a
+    // coupled face go round it in opposite senses, and must agree
+    solvedVector middle = polygon[0];
+    for (label i = 1; i < n; ++i)
+    {
+        middle += polygon[i];
+    }
+    middle /= max(n, label(1));
+
+    const scalar area = mag(levelSet_.mesh().faceAreas()[facei]);
+    const solvedDirections& directions = levelSet_.plane();
+    for (label i = 0; i < n; ++i)
+    {
+        const solvedVector& a = polygon[i];
+        const solvedVector& b = polygon[(i + 1) % n];
+        const vector across =
+            directions.toVector(a - middle) ^ directions.toVector(b - middle);
+        append
+        (
+            facei, -0.5*mag(across)/area*side, (middle + a + b)/3, foot
+        );
     }
 }
 
@@ -136,10 +210,36 @@ void Foam::capsule::faceParts::add
     const scalar side
 )
 {
-    // From the centre to each end at most one crossing is looked for
-    const Pair<located> ends(this->ends(facei));
-    add(facei, centre, ends.first(), side);
-    add(facei, centre, ends.second(), side);
+    // From the centre to each corner, or between two of them, at most one
+    // crossing is looked for
+    if (!levelSet_.plane().spatial())
+    {
+        const Pair<located> ends(this->ends(facei));
+        addLine(facei, centre, ends.first(), side);
+        addLine(facei, centre, ends.second(), side);
+        return;
+    }
+
+    const fvMesh& mesh = levelSet_.mesh();
+    const face& f = mesh.faces()[facei];
+    bool far = (centre.distance*side < 0);
+    for (const label pointi : f)
+    {
+        const solvedVector x = levelSet_.plane()(mesh.points()[pointi]);
+        far = (corner(x, pointi).distance*side < 0) || far;
+    }
+    if (!far)
+    {
+        return;
+    }
+    forAll(f, i)
+    {
+        const located* corners[3] =
+        {
+            &centre, &known_[f[i]], &known_[f[f.fcIndex(i)]]
+        };
+        addTriangle(facei, corners, side);
+    }
 }
 
 

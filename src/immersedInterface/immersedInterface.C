@@ -54,11 +54,11 @@ Foam::capsule::immersedInterface::immersedInterface
     const word& name,
     const fvMesh& mesh,
     const solvedDirections& plane,
-    const closedSurface& curve,
+    const closedSurface& surface,
     const scalar bandWidth
 )
 :
-    levelSet_(name, mesh, plane, curve, bandWidth),
+    levelSet_(name, mesh, plane, surface, bandWidth),
     faces_(levelSet_),
     cells_(faces_.cells()),
     cutVolume_(0),
@@ -102,40 +102,44 @@ void Foam::capsule::immersedInterface::setJumps(const jumpConditions& jumps)
     // flux: n.(w (1 - w)/2 d d - M/2) : grad grad u, with d between the cell
     // centres and M the second moment of the face about its centre, for a face
     // e along the plane e e/12, in a wedge e e/12 (1 - (e.e_r)^2/(12 r^2)) with
-    // r its middle
+    // r its middle, in space the sum for two sides e of a rectangle
     const fvMesh& mesh = levelSet_.mesh();
     const solvedDirections& plane = levelSet_.plane();
     const label n = faces_.farSideLinks().size();
-    nodalVectors normal(n, 2);
-    nodalVectors across(n, 2);
-    nodalVectors along(n, 2);
+    nodalVectors normal(n, plane.size());
+    nodalVectors across(n, plane.size());
+    nodalVectors along[2];
+    for (label k = 0; k < plane.size() - 1; ++k)
+    {
+        along[k].resize(n, plane.size());
+    }
     nodalScalars weight(n);
     for (label i = 0; i < n; ++i)
     {
         const cutFaces::cutLink& v = faces_.links()[faces_.farSideLinks()[i]];
-        const vector2 S =
-            plane(cutFaces::value(mesh.Sf(), v.face));
+        const solvedVector S = plane(cutFaces::value(mesh.Sf(), v.face));
         normal.row(i) = S.normalized();
         across.row(i) = faces_.acrossFace(v.face);
-        const Pair<vector2> ends
-        (
-            plane.ends(mesh.points(), mesh.faces()[v.face])
-        );
-        const vector2 e = ends.second() - ends.first();
-        along.row(i) = e;
+        const nodalVectors corners =
+            plane.corners(mesh.points(), mesh.faces()[v.face]);
+        for (label k = 0; k < plane.size() - 1; ++k)
+        {
+            along[k].row(i) = corners.row(k + 1) - corners.row(k);
+        }
         if (plane.axisymmetric())
         {
-            const scalar r = plane.radius(0.5*(ends.first() + ends.second()));
-            along.row(i) *= Foam::sqrt(1 - sqr(e(1)/r)/12);
+            const scalar r = plane.radius(corners.colwise().mean());
+            along[0].row(i) *= Foam::sqrt(1 - sqr(along[0](i, 1)/r)/12);
         }
         weight(i) = 0.5*v.weight*(1 - v.weight);
     }
-    interpolationError_ = dot
-    (
-        normal,
-        scaled(weight, jumps.velocityCurvature(centres_, across))
-      - jumps.velocityCurvature(centres_, along)/24
-    );
+    nodalVectors error =
+        scaled(weight, jumps.velocityCurvature(centres_, across));
+    for (label k = 0; k < plane.size() - 1; ++k)
+    {
+        error -= jumps.velocityCurvature(centres_, along[k])/24;
+    }
+    interpolationError_ = dot(normal, error);
 }
 
 

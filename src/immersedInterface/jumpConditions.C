@@ -10,91 +10,73 @@ License
 
 #include "jumpConditions.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace capsule
-{
-
-//- Columns of the coefficients: derivatives in the distance d at d = 0, and
-//  their derivatives along the curve
-enum term
-{
-    U1 = 0,         // of u, two components each
-    U2 = 2,
-    P0 = 4,         // of p
-    P1,
-    P2,
-    S0,             // d/ds of P0, P1
-    S1,
-    KAPPA,
-    US              // d/ds of U1
-};
-
-} // End namespace capsule
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::jumpConditions::footPoints::footPoints
 (
-    const closedSurface& curve,
-    const nodalScalars& alpha,
+    const closedSurface& surface,
+    const UList<surfaceParameter>& feet,
     const nodalScalars& d
 )
 :
-    functions(curve.basis().functions(alpha)),
-    normal(alpha.size(), 2),
+    functions(surface.basis().functions(feet)),
+    normal(feet.size(), surface.nComponents()),
     distance(d)
 {
-    for (Eigen::Index i = 0; i < alpha.size(); ++i)
+    forAll(feet, i)
     {
-        normal.row(i) = turned(curve.point(alpha(i), 1)).normalized();
+        normal.row(i) =
+            closedSurface::normal(surface.expand(feet[i])).normalized();
     }
 }
 
 
 Foam::capsule::jumpConditions::jumpConditions
 (
-    const closedSurface& curve,
+    const closedSurface& surface,
     const nodalVectors& f,
     const nodalVectors& m,
     const nodalScalars& c,
     const scalar mu
 )
 :
-    terms_(curve.size(), 12)
+    d_(surface.nComponents())
 {
-    const nodalVectors& n = curve.normal();
-    const nodalVectors& t = curve.tangent();
-    const nodalScalars& kappa = curve.curvature();
-    const auto times = [](const nodalScalars& x, const nodalScalars& y)
+    const nodalVectors& n = surface.normal();
+    const nodalScalars H = surface.totalCurvature();
+    const nodalMatrix K = surface.curvatureTensor();
+
+    const nodalVectors u1 = -surface.tangential(f)/mu;
+    const nodalScalars p0 = dot(f, n);
+    const nodalVectors slope0 = surface.gradient(p0);
+    const nodalScalars p1 = -mu*surface.divergence(u1) - dot(m, n);
+    const nodalVectors slope1 = surface.gradient(p1);
+    const nodalVectors u2 =
+        (scaled(p1, n) + slope0 + m)/mu - scaled(H, u1);
+    const nodalScalars p2 =
+        c - surface.divergence(slope0) - H.cwiseProduct(p1);
+
+    const label N = surface.size();
+    const auto coefficients = [&](const nodalMatrix& terms)
     {
-        return nodalScalars(x.cwiseProduct(y));
+        return nodalMatrix(surface.basis().analysis()*terms);
     };
 
-    const nodalScalars b = -dot(f, t)/mu;
-    const nodalScalars b1 = curve.divergence(b);
+    nodalMatrix terms(N, 2*d_);
+    terms << u1, u2;
+    velocity_ = coefficients(terms);
 
-    const nodalScalars p0 = dot(f, n);
-    const nodalScalars p0s = curve.ds(p0);
-    const nodalScalars p1 = -mu*b1 - dot(m, n);
-    const nodalScalars H = curve.totalCurvature();
-    const nodalScalars p2 = c - curve.divergence(p0s) - times(H, p1);
+    terms.resize(N, 3);
+    terms << p0, p1, p2;
+    pressure_ = coefficients(terms);
 
-    terms_.middleCols<2>(U1) = scaled(b, t);
-    terms_.middleCols<2>(U2) =
-        scaled(-b1, n) + scaled((p0s + dot(m, t))/mu - times(H, b), t);
-    terms_.col(P0) = p0;
-    terms_.col(P1) = p1;
-    terms_.col(P2) = p2;
-    terms_.col(S0) = p0s;
-    terms_.col(S1) = curve.ds(p1);
-    terms_.col(KAPPA) = kappa;
-    terms_.middleCols<2>(US) = curve.ds(scaled(b, t));
-    terms_ = (curve.basis().analysis()*terms_).eval();
+    terms.resize(N, 2 + 2*d_ + d_*d_);
+    terms << p1, p2, slope0, slope1, K;
+    pressureGradient_ = coefficients(terms);
+
+    terms.resize(N, 2*d_ + 2*d_*d_);
+    terms << u1, u2, surface.gradients(u1), K;
+    velocityCurvature_ = coefficients(terms);
 }
 
 
@@ -105,10 +87,10 @@ Foam::capsule::nodalVectors Foam::capsule::jumpConditions::velocity
     const footPoints& at
 ) const
 {
-    const nodalMatrix u = at.functions*terms_.middleCols<4>(U1);
+    const nodalMatrix u = at.functions*velocity_;
     const nodalScalars& d = at.distance;
 
-    return scaled(d, u.leftCols(2)) + scaled(d.cwiseAbs2()/2, u.rightCols(2));
+    return scaled(d, u.leftCols(d_)) + scaled(d.cwiseAbs2()/2, u.rightCols(d_));
 }
 
 
@@ -118,19 +100,26 @@ Foam::capsule::nodalVectors Foam::capsule::jumpConditions::velocityCurvature
     const nodalVectors& d
 ) const
 {
-    const nodalMatrix u = at.functions*terms_;
+    const nodalMatrix u = at.functions*velocityCurvature_;
     const nodalScalars n = dot(d, at.normal);
-    const nodalScalars t =
-        d.col(1).cwiseProduct(at.normal.col(0))
-      - d.col(0).cwiseProduct(at.normal.col(1));
 
-    return
-        scaled(n.cwiseAbs2(), u.middleCols<2>(U2))
-      + scaled(2*n.cwiseProduct(t), u.middleCols<2>(US))
-      + scaled
+    nodalVectors result = scaled(n.cwiseAbs2(), u.middleCols(d_, d_));
+    for (label i = 0; i < d_; ++i)
+    {
+        // The derivatives along the surface of [u_n], and its curvature
+        result += scaled
         (
-            t.cwiseAbs2().cwiseProduct(u.col(KAPPA)), u.middleCols<2>(U1)
+            2*n.cwiseProduct(d.col(i)), u.middleCols((2 + i)*d_, d_)
         );
+        for (label j = 0; j < d_; ++j)
+        {
+            const nodalScalars bend =
+                u.col(2*d_ + d_*d_ + i*d_ + j)
+               .cwiseProduct(d.col(i)).cwiseProduct(d.col(j));
+            result += scaled(bend, u.leftCols(d_));
+        }
+    }
+    return result;
 }
 
 
@@ -139,7 +128,7 @@ Foam::capsule::nodalScalars Foam::capsule::jumpConditions::pressure
     const footPoints& at
 ) const
 {
-    const nodalMatrix p = at.functions*terms_.middleCols<3>(P0);
+    const nodalMatrix p = at.functions*pressure_;
     const nodalScalars& d = at.distance;
 
     return p.col(0) + d.cwiseProduct(p.col(1) + d.cwiseProduct(p.col(2))/2);
@@ -151,19 +140,29 @@ Foam::capsule::nodalVectors Foam::capsule::jumpConditions::pressureGradient
     const footPoints& at
 ) const
 {
-    const nodalMatrix p = at.functions*terms_.middleCols<5>(P1);
+    const nodalMatrix p = at.functions*pressureGradient_;
     const nodalScalars& d = at.distance;
     const nodalScalars normal = p.col(0) + d.cwiseProduct(p.col(1));
+    const nodalVectors along =
+        p.middleCols(2, d_) + scaled(d, p.middleCols(2 + d_, d_));
 
-    // Along the parallel curve, longer by the factor 1 + kappa d
-    const nodalScalars stretched =
-        nodalScalars::Ones(d.size()) + p.col(4).cwiseProduct(d);
-    const nodalScalars along =
-        (p.col(2) + d.cwiseProduct(p.col(3))).cwiseQuotient(stretched);
-
-    nodalVectors t(at.normal.rows(), 2);
-    t.col(0) = -at.normal.col(1);
-    t.col(1) = at.normal.col(0);
-
-    return scaled(normal, at.normal) + scaled(along, t);
+    nodalVectors result = scaled(normal, at.normal);
+    solvedTensor parallel(d_, d_);
+    for (label k = 0; k < result.rows(); ++k)
+    {
+        // From the foot to the parallel surface
+        for (label i = 0; i < d_; ++i)
+        {
+            for (label j = 0; j < d_; ++j)
+            {
+                parallel(i, j) =
+                    (i == j) + d(k)*p(k, 2 + 2*d_ + i*d_ + j);
+            }
+        }
+        result.row(k) += along.row(k)*parallel.inverse();
+    }
+    return result;
 }
+
+
+// ************************************************************************* //

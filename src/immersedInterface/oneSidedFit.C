@@ -9,7 +9,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "oneSidedFit.H"
-#include "cubicFit.H"
 #include "releases.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -64,26 +63,27 @@ Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::fit
 {
     const membraneLevelSet& levelSet = interface_.levelSet();
     const labelUList& cells = levelSet.cells();
-    const label components = (p ? 3 : 2);
+    const label d = levelSet.plane().size();
+    const label fields = (p ? d + 1 : d);
 
     // Values as the side sees them
-    nodalMatrix local(cells.size(), components);
+    nodalMatrix local(cells.size(), fields);
     forAll(cells, i)
     {
         const label celli = cells[i];
         const scalar cellSide = (levelSet.distance()(i) < 0 ? -1 : 1);
         const scalar beyond = (jumping && cellSide != side_ ? cellSide : 0);
 
-        vector2 u = levelSet.plane()(U[celli]);
+        solvedVector u = levelSet.plane()(U[celli]);
         if (beyond != 0)
         {
             u -= beyond*interface_.jumpU().row(i);
         }
-        local.block<1, 2>(i, 0) = u;
+        local.row(i).head(d) = u;
 
         if (p)
         {
-            local(i, 2) =
+            local(i, d) =
                 (*p)[celli]
               - (beyond != 0 ? beyond*interface_.jumpp()(i) : 0);
         }
@@ -91,15 +91,15 @@ Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::fit
     const nodalMatrix values = gather(local);
 
     const label n = stencils_.size();
-    nodalMatrix found[3];
+    nodalMatrix found[4];
     for (nodalMatrix& m : found)
     {
-        m.resize(n, components);
+        m.resize(n, fields);
     }
     forAll(stencils_, node)
     {
         const labelList& stencil = stencils_[node];
-        nodalMatrix f(stencil.size(), components);
+        nodalMatrix f(stencil.size(), fields);
         forAll(stencil, i)
         {
             const label celli = stencil[i] % values.rows();
@@ -111,7 +111,7 @@ Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::fit
             }
         }
         const nodalMatrix fit = rows_[node]*f;
-        for (label k = 0; k < 3; ++k)
+        for (label k = 0; k <= d; ++k)
         {
             found[k].row(node) = fit.row(k);
         }
@@ -122,32 +122,35 @@ Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::fit
 
 Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::extended
 (
-    const nodalMatrix (&found)[3]
+    const nodalMatrix (&found)[4]
 ) const
 {
-    const closedSurface& curve = interface_.levelSet().curve();
-    const label components = found[0].cols();
+    const closedSurface& surface = interface_.levelSet().surface();
+    const label fields = found[0].cols();
     const auto all = [&](const label k)
     {
         // Odd beyond an axis: the component away from it, and derivatives
         // in its direction
-        nodalMatrix result(curve.size(), components);
-        for (label i = 0; i < components; ++i)
+        nodalMatrix result(surface.size(), fields);
+        for (label i = 0; i < fields; ++i)
         {
             result.col(i) =
-                curve.basis().extended(found[k].col(i), (i == 1) == (k == 2));
+                surface.basis().extended(found[k].col(i), (i == 1) == (k == 2));
         }
         return result;
     };
 
     fitted result;
     result.value = all(0);
-    result.gradient[0] = all(1);
-    result.gradient[1] = all(2);
-    result.divergence = result.gradient[0].col(0) + result.gradient[1].col(1);
-    if (curve.axisymmetric())
+    result.divergence = nodalScalars::Zero(surface.size());
+    for (label i = 0; i < surface.nComponents(); ++i)
     {
-        result.hoopRate = result.value.col(1).cwiseQuotient(curve.around());
+        result.gradient[i] = all(1 + i);
+        result.divergence += result.gradient[i].col(i);
+    }
+    if (surface.axisymmetric())
+    {
+        result.hoopRate = result.value.col(1).cwiseQuotient(surface.around());
         result.divergence += result.hoopRate;
     }
     return result;
@@ -160,29 +163,32 @@ Foam::capsule::nodalMatrix Foam::capsule::oneSidedFit::bandCells() const
     const membraneLevelSet& levelSet = interface_.levelSet();
     const labelUList& cells = levelSet.cells();
     const cellSearch& search = cellSearch::New(levelSet.mesh());
-    nodalMatrix local(cells.size(), 9);
+    const label d = levelSet.plane().size();
+    nodalMatrix local(cells.size(), d + 1 + 2*d*d);
     forAll(cells, i)
     {
         const cellSearch::size& size = search.ofCell(cells[i]);
-        const Eigen::Matrix<scalar, 2, 2> tensor = size.tensor();
-        local.row(i) <<
-            levelSet.image(levelSet.mesh().C()[cells[i]]),
-            -side_*levelSet.distance()(i),
-            tensor.row(0), tensor.row(1),
-            size.direction;
+        const solvedTensor tensor = size.tensor();
+        local.row(i).head(d) = levelSet.image(levelSet.mesh().C()[cells[i]]);
+        local(i, d) = -side_*levelSet.distance()(i);
+        for (label k = 0; k < d; ++k)
+        {
+            local.row(i).segment(d + 1 + k*d, d) = tensor.row(k);
+            local.row(i).segment(d + 1 + d*d + k*d, d) = size.directions.row(k);
+        }
     }
     nodalMatrix all = gather(local);
-    if (levelSet.curve().axisymmetric())
+    if (levelSet.plane().axisymmetric())
     {
         const label n = all.rows();
         all.conservativeResize(2*n, all.cols());
         all.bottomRows(n) = all.topRows(n);
         for (label i = n; i < 2*n; ++i)
         {
-            all.row(i).head<2>() =
-                levelSet.plane().mirrored(all.row(i).head<2>());
+            all.row(i).head(d) =
+                levelSet.plane().mirrored(all.row(i).head(d));
         }
-        for (const label odd : {4, 5, 8})
+        for (const label odd : {4, 5, 8, 9})
         {
             all.col(odd).tail(n) *= -1;
         }
@@ -193,46 +199,49 @@ Foam::capsule::nodalMatrix Foam::capsule::oneSidedFit::bandCells() const
 
 Foam::labelList Foam::capsule::oneSidedFit::seenFrom
 (
-    const vector2& x,
+    const solvedVector& x,
     const nodalMatrix& all,
-    Eigen::Matrix<scalar, 2, 2>& toCells
+    solvedTensor& toCells
 ) const
 {
     const membraneLevelSet& levelSet = interface_.levelSet();
     const scalar width = levelSet.width();
-
-    DynamicList<lineOfSight::obstacle> obstacles;
-    for (const lineOfSight::obstacle& o : levelSet.obstacles())
-    {
-        const scalar length = (o.second() - o.first()).norm();
-        if ((o.first() - x).norm() < radius*width + length)
-        {
-            obstacles.append(o);
-        }
-    }
+    const label d = x.size();
+    const List<lineOfSight::obstacle> obstacles
+    (
+        lineOfSight::near(levelSet.obstacles(), x, radius*width)
+    );
 
     // Cells seen, and their mean size around the node
+    const nodalScalars squares =
+        (all.leftCols(d).rowwise() - x).rowwise().squaredNorm();
     DynamicList<label> seen;
-    Eigen::Matrix<scalar, 2, 2> mean;
-    mean.setZero();
+    solvedTensor mean(solvedTensor::Zero(d, d));
     scalar total = 0;
-    scalar nearest = GREAT;
-    vector2 direction(1, 0);
+    label nearest = -1;
+
     for (label i = 0; i < all.rows(); ++i)
     {
-        const vector2 c = all.row(i).head<2>();
-        const scalar d = (c - x).norm();
-        if (d < radius*width && lineOfSight::clear(obstacles, x, c))
+        if
+        (
+            squares(i) < sqr(radius*width)
+         && lineOfSight::clear(obstacles, x, all.row(i).head(d))
+        )
         {
             seen.append(i);
-            const scalar w = sqr(max(1 - sqr(d/(1.5*width)), scalar(0)));
-            mean.row(0) += w*all.block<1, 2>(i, 3);
-            mean.row(1) += w*all.block<1, 2>(i, 5);
-            total += w;
-            if (d < nearest)
+            const scalar w =
+                sqr(max(1 - squares(i)/sqr(1.5*width), scalar(0)));
+            if (w > 0)
             {
-                nearest = d;
-                direction = all.block<1, 2>(i, 7);
+                for (label k = 0; k < d; ++k)
+                {
+                    mean.row(k) += w*all.row(i).segment(d + 1 + k*d, d);
+                }
+                total += w;
+            }
+            if (nearest == -1 || squares(i) < squares(nearest))
+            {
+                nearest = i;
             }
         }
     }
@@ -241,8 +250,11 @@ Foam::labelList Foam::capsule::oneSidedFit::seenFrom
         return labelList();
     }
 
-    toCells << direction, turned(direction);
-    toCells *= total*mean.inverse();
+    for (label k = 0; k < d; ++k)
+    {
+        toCells.row(k) = all.row(nearest).segment(d + 1 + d*d + k*d, d);
+    }
+    toCells *= (total*mean.inverse()).eval();
     return labelList(std::move(seen));
 }
 
@@ -254,37 +266,38 @@ void Foam::capsule::oneSidedFit::setNode
 )
 {
     const membraneLevelSet& levelSet = interface_.levelSet();
-    const closedSurface& curve = levelSet.curve();
-    const vector2 x = curve.nodes().row(node);
+    const closedSurface& surface = levelSet.surface();
+    const label d = surface.nComponents();
+    const solvedVector x = surface.nodes().row(node);
 
     // To cell widths along the directions of the mesh
-    Eigen::Matrix<scalar, 2, 2> toCells;
-    toCells.setIdentity();
+    solvedTensor toCells(solvedTensor::Identity(d, d));
     const labelList seen(seenFrom(x, all, toCells));
     const scalar beyondCell =
-        1/(toCells*curve.normal().row(node).transpose()).norm();
+        1/(toCells*surface.normal().row(node).transpose()).norm();
 
     DynamicList<label> near;
     DynamicList<scalar> weights;
-    nodalVectors points(seen.size(), 2);
+    nodalVectors points(seen.size(), d);
     for (const label i : seen)
     {
-        const vector2 d = (all.row(i).head<2>() - x)*toCells.transpose();
-        const scalar beyond = max(all(i, 2)/beyondCell, scalar(0));
-        if (d.norm() < radius && beyond < reach)
+        const solvedVector r = (all.row(i).head(d) - x)*toCells.transpose();
+        const scalar beyond = max(all(i, d)/beyondCell, scalar(0));
+        if (r.norm() < radius && beyond < reach)
         {
-            points.row(near.size()) = d;
+            points.row(near.size()) = r;
             near.append(i);
             weights.append
             (
                 sqr
                 (
-                    (1 - d.squaredNorm()/sqr(radius))
+                    (1 - r.squaredNorm()/sqr(radius))
                    *(1 - sqr(beyond/reach))
                 )
             );
         }
     }
+
     rows_[node] = cubicFit
     (
         points.topRows(near.size()),
@@ -299,8 +312,8 @@ void Foam::capsule::oneSidedFit::setNode
             << exit(FatalError);
     }
     stencils_[node] = near;
-    rows_[node].bottomRows<2>() =
-        (toCells.transpose()*rows_[node].bottomRows<2>()).eval();
+    rows_[node].bottomRows(d) =
+        (toCells.transpose()*rows_[node].bottomRows(d)).eval();
 }
 
 
@@ -320,7 +333,7 @@ Foam::capsule::oneSidedFit::oneSidedFit
     allGatherList(sizes_);
 
     const nodalMatrix all = bandCells();
-    const label n = interface.levelSet().curve().basis().nPacked();
+    const label n = interface.levelSet().surface().basis().nCounted();
     stencils_.setSize(n);
     rows_.setSize(n);
     for (label node = 0; node < n; ++node)
@@ -338,10 +351,10 @@ Foam::capsule::nodalVectors Foam::capsule::oneSidedFit::fitted::viscous
     const scalar mu
 ) const
 {
-    nodalVectors result = nodalVectors::Zero(n.rows(), 2);
-    for (label i = 0; i < 2; ++i)
+    nodalVectors result = nodalVectors::Zero(n.rows(), n.cols());
+    for (label i = 0; i < n.cols(); ++i)
     {
-        for (label j = 0; j < 2; ++j)
+        for (label j = 0; j < n.cols(); ++j)
         {
             result.col(i) +=
                 mu*n.col(j).cwiseProduct
@@ -363,13 +376,28 @@ Foam::capsule::nodalScalars Foam::capsule::oneSidedFit::fitted::pressure
     // the fluxes, which jumps at the membrane: a layer of divergence s in the
     // cut cells, of first order, and in it a pressure of mu s too much. So the
     // divergence that the fit sees is taken off the pressure.
-    return value.col(2) + mu*divergence;
+    return value.rightCols(1) + mu*divergence;
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::oneSidedFit::fitted::vorticity() const
+Foam::capsule::nodalVectors Foam::capsule::oneSidedFit::fitted::vorticity
+(
+    const nodalVectors& n
+) const
 {
-    return gradient[0].col(1) - gradient[1].col(0);
+    nodalVectors result = nodalVectors::Zero(n.rows(), n.cols());
+
+    for (label i = 0; i < n.cols(); ++i)
+    {
+        for (label j = 0; j < n.cols(); ++j)
+        {
+            result.col(i) += n.col(j).cwiseProduct
+            (
+                gradient[j].col(i) - gradient[i].col(j)
+            );
+        }
+    }
+    return result;
 }
 
 

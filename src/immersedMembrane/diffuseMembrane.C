@@ -10,6 +10,7 @@ License
 
 #include "diffuseMembrane.H"
 #include "freeSpaceResponse.H"
+#include "sphericalBasis.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -55,17 +56,44 @@ void Foam::capsule::diffuseMembrane::place(const nodalVectors& nodes)
     );
     interface_.clear();
     fit_.clear();
+    delta_ = evaluated(nodes);
+    if (plane_.spatial())
+    {
+        setSpreading();
+    }
+}
 
+
+void Foam::capsule::diffuseMembrane::setSpreading()
+{
+    // Closer than half a cell the spread force is smooth
+    const sphericalBasis& basis = this->basis().spherical();
+    const sphericalGrid grid
+    (
+        sphericalHarmonics(basis.grid().degree()),
+        label(2*constant::mathematical::pi*surface().meanRadius()
+           /levelSet_->width()) + 1,
+        0
+    );
+    refined_ = grid.values()*basis.analysis();
+    weights_ = grid.weights();
+    spreading_ = evaluated(refined_*surface().nodes());
+}
+
+
+Foam::capsule::diffuseMembrane::pointsByCells
+Foam::capsule::diffuseMembrane::evaluated(const nodalVectors& nodes) const
+{
     const cellSearch& search = cellSearch::New(mesh_);
     const labelUList& cells = levelSet_->cells();
     std::vector<Eigen::Triplet<scalar>> entries;
     forAll(cells, i)
     {
-        const vector2 centre = levelSet_->image(mesh_.C()[cells[i]]);
+        const solvedVector centre = levelSet_->image(mesh_.C()[cells[i]]);
         const cellSearch::size& size = search.ofCell(cells[i]);
         for (Eigen::Index k = 0; k < nodes.rows(); ++k)
         {
-            const vector2 r =
+            const solvedVector r =
                 size.components(centre - nodes.row(k))
                .cwiseQuotient(size.widths);
             if
@@ -74,12 +102,18 @@ void Foam::capsule::diffuseMembrane::place(const nodalVectors& nodes)
              && levelSet_->sees(nodes.row(k), centre)
             )
             {
-                entries.emplace_back(k, i, phi(r(0))*phi(r(1)));
+                scalar value = 1;
+                for (label j = 0; j < r.size(); ++j)
+                {
+                    value *= phi(r(j));
+                }
+                entries.emplace_back(k, i, value);
             }
         }
     }
-    delta_.resize(nodes.rows(), cells.size());
-    delta_.setFromTriplets(entries.begin(), entries.end());
+    pointsByCells result(nodes.rows(), cells.size());
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
 }
 
 
@@ -89,7 +123,7 @@ Foam::capsule::nodalVectors Foam::capsule::diffuseMembrane::interpolate
 ) const
 {
     const labelUList& cells = levelSet_->cells();
-    nodalVectors local(cells.size(), 2);
+    nodalVectors local(cells.size(), plane_.size());
     forAll(cells, i)
     {
         local.row(i) = plane_(U[cells[i]]);
@@ -136,7 +170,7 @@ const Foam::capsule::oneSidedFit& Foam::capsule::diffuseMembrane::fit() const
         (
             new immersedInterface
             (
-                membrane_.name(), mesh_, plane_, curve(), oneSidedFit::radius
+                membrane_.name(), mesh_, plane_, surface(), oneSidedFit::radius
             )
         );
         fit_.reset(new oneSidedFit(*interface_, -1));
@@ -158,22 +192,30 @@ void Foam::capsule::diffuseMembrane::start(const volVectorField& U)
 
 void Foam::capsule::diffuseMembrane::predict(const couplingMethod& method)
 {
-    const label n = nForce();
     const closedSurface predictedCurve(predictedSurface());
     extrapolateState(predictedCurve.nodes());
     place(predictedCurve.nodes());
 
     // Shorter waves fade in the spreading
-    const nodalMatrix slow = filter(curve(), forceWaves_);
+    const nodalFilter slow = filter(surface(), forceWaves_);
     nodalMatrix response =
-        freeSpaceResponse::singleLayer(curve(), 0.5*(1 + ratio_)*mu_);
-    response.topRows(n/2) = slow*response.topRows(n/2);
-    response.bottomRows(n/2) = slow*response.bottomRows(n/2);
-
-    setResponse(predictedCurve, method, nodalMatrix::Identity(n, n), response);
+        freeSpaceResponse::singleLayer(surface(), 0.5*(1 + ratio_)*mu_);
+    const label n = basis().nPacked();
+    for (label i = 0; i < basis().nComponents(); ++i)
+    {
+        response.middleRows(i*n, n) =
+            basis().reduced(slow, i)*response.middleRows(i*n, n);
+    }
+    setResponse
+    (
+        predictedCurve,
+        method,
+        nodalMatrix::Identity(nForce(), nForce()),
+        response
+    );
     if (!method.implicitStress())
     {
-        membrane_.now().force = membrane_.force(predictedCurve, curve().areaElement());
+        membrane_.now().force = membrane_.force(predictedCurve, surface().areaElement());
     }
 }
 
@@ -200,7 +242,7 @@ void Foam::capsule::diffuseMembrane::addViscosity(volScalarField& mu) const
     {
         const label celli = levelSet_->cells()[i];
         const scalar d = levelSet_->distance()(i)/levelSet_->width();
-        const vector2 foot = curve().point(levelSet_->alpha()(i));
+        const solvedVector foot = surface().expand(levelSet_->feet()[i]).x;
         if
         (
             mag(d) < 1
@@ -222,11 +264,18 @@ void Foam::capsule::diffuseMembrane::addSources
     const volScalarField&
 )
 {
+    const nodalVectors perParameters =
+        scaled(surface().areaElement(), membrane_.now().force);
     const nodalVectors spread =
-        delta_.transpose()
-       *scaled
+        plane_.spatial()
+      ? nodalVectors
         (
-            basis().spacing()*curve().areaElement(), membrane_.now().force
+            spreading_.transpose()
+           *scaled(weights_, nodalVectors(refined_*perParameters))
+        )
+      : nodalVectors
+        (
+            delta_.transpose()*scaled(basis().weights(), perParameters)
         );
 
     forAll(levelSet_->cells(), i)

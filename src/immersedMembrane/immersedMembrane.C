@@ -22,7 +22,7 @@ namespace capsule
     defineRunTimeSelectionTable(immersedMembrane, dictionary);
 
     //- Root mean square over the nodes
-    static scalar rms(const nodalVectors& v)
+    static scalar rms(const nodalMatrix& v)
     {
         return v.norm()/Foam::sqrt(scalar(v.rows()));
     }
@@ -42,16 +42,15 @@ Foam::capsule::immersedMembrane::levelSetNames_
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::filter
+Foam::capsule::nodalFilter Foam::capsule::immersedMembrane::filter
 (
-    const closedSurface& curve,
+    const closedSurface& surface,
     const scalar waves
 ) const
 {
-    return curve.basis().lowPass
+    return surface.basis().lowPass
     (
-        waves*curve.perimeter()
-       /(constant::mathematical::twoPi*levelSet().width())
+        waves*surface.meanRadius()/levelSet().width()
     );
 }
 
@@ -93,7 +92,8 @@ void Foam::capsule::immersedMembrane::extrapolateState(const nodalVectors& nodes
 
         now.force += ratio*(old.force - older.force);
         now.velocity += ratio*(old.velocity - older.velocity);
-        now.inner += ratio*(old.inner - older.inner);
+        now.vorticity += ratio*(old.vorticity - older.vorticity);
+        now.pressure += ratio*(old.pressure - older.pressure);
     }
     setFlowScheme();
 }
@@ -101,23 +101,20 @@ void Foam::capsule::immersedMembrane::extrapolateState(const nodalVectors& nodes
 
 Foam::scalar Foam::capsule::immersedMembrane::forceNoise
 (
-    const closedSurface& curve
+    const closedSurface& at
 ) const
 {
     // A wave from point to point, along and across the membrane, small against
     // the distance of the points
-    const scalar height = 1e-4*curve.perimeter()/membrane_.size();
-    nodalVectors x(curve.nodes());
-    for (Eigen::Index i = 0; i < x.rows(); ++i)
-    {
-        x.row(i).array() += (i % 2 ? -height : height);
-    }
+    const scalar height = 1e-4*at.meanRadius()*basis().spacing();
+    nodalVectors x(at.nodes());
+    x.colwise() += height*basis().shortestWave();
     x = basis().symmetric(x);
     const nodalVectors change =
-        membrane_.force(closedSurface(membrane_.basis(), x), curve.areaElement())
-      - membrane_.force(curve, curve.areaElement());
+        membrane_.force(closedSurface(membrane_.basis(), x), at.areaElement())
+      - membrane_.force(at, at.areaElement());
 
-    return SMALL*curve.nodes().cwiseAbs().maxCoeff()/height*rms(change);
+    return SMALL*at.nodes().cwiseAbs().maxCoeff()/height*rms(change);
 }
 
 
@@ -134,22 +131,22 @@ void Foam::capsule::immersedMembrane::setResponse
         new membraneMotion
         (
             membrane_,
-            curve(),
+            surface(),
             predictedCurve,
-            filter(curve(), membraneMotion::waves),
+            filter(surface(), membraneMotion::waves),
             timeScheme(mesh_, "ddt(membranes)", membrane_.nOld()),
             method.conserveArea()
         )
     );
     implicit_ = method.implicitStress();
-    explicitForce_ = membrane_.force(predictedCurve, curve().areaElement());
+    explicitForce_ = membrane_.force(predictedCurve, surface().areaElement());
     forceNoise_ = forceNoise(predictedCurve);
     fluidJacobian_ = fluidJacobian;
     mobility_ = mobility;
     if (implicit_ && method.usesResponse())
     {
         displacementResponse_ = motion_->displacements(mobility_);
-        linearise(curve(), false);
+        linearise(surface(), false);
     }
     else
     {
@@ -243,12 +240,13 @@ Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted
         return now.x + dt/dt0*(now.x - membrane_.old(0).x);
     }
     nodalVectors velocity = now.velocity;
-    const closedSurface curve = membrane_.curve();
-    const nodalScalars w =
-        membraneMotion::excess(membrane_, curve, velocity, 0.25/dt);
+    const nodalVectors w = membraneMotion::excess
+    (
+        membrane_, membrane_.surface(), velocity, 0.25/dt
+    );
     if (w.size())
     {
-        velocity += scaled(w, curve.tangent());
+        velocity += w;
     }
     return now.x + dt*velocity;
 }
@@ -280,7 +278,7 @@ Foam::capsule::immersedMembrane::correct
 (
     const volVectorField& U,
     const volScalarField& p,
-    const vector2& driving
+    const solvedVector& driving
 )
 {
     const label n = nForce();
@@ -299,7 +297,8 @@ Foam::capsule::immersedMembrane::correct
     const nodalScalars left = residual(fluidResponse_);
     const nodalVectors F = basis().unpack(left.head(n)) - rest;
     const scalar size =
-        rms(F) + 0.5*(1 + ratio_)*mu_*rms(curve().ds(now.velocity)) + VSMALL;
+        rms(F)
+      + 0.5*(1 + ratio_)*mu_*rms(surface().gradients(now.velocity)) + VSMALL;
     const nodalScalars change = correction(left);
 
     const scalar shear = (1 + ratio_)*mu_*rms(now.velocity)/levelSet().width();
@@ -307,7 +306,9 @@ Foam::capsule::immersedMembrane::correct
         10*forceNoise_ + 100*SMALL*(rms(now.force) + rms(contrast) + shear);
 
     imbalance result;
-    const scalar rmsChange = change.norm()/Foam::sqrt(0.5*change.size());
+    const scalar rmsChange =
+        change.norm()
+       /Foam::sqrt(change.size()/scalar(basis().nComponents()));
     result.stress = max(rmsChange - noise, scalar(0))/size;
     result.displacement = cells(mobility_*change.head(n));
     return result;

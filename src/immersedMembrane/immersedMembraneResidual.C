@@ -37,11 +37,14 @@ void Foam::capsule::immersedMembrane::linearise
 {
     // Forces are per area of the step's interface
     const nodalScalars area =
-        at.areaElement().cwiseQuotient(curve().areaElement())
-       .head(basis().nPacked()).replicate(2, 1);
-    forceJacobian_ =
-        area.asDiagonal()
-       *basis().reduced(membrane_.forceJacobian(at, fullTangent));
+        at.areaElement().cwiseQuotient(surface().areaElement());
+    const label n = basis().nPacked();
+    forceJacobian_ = membrane_.forceJacobian(at, fullTangent);
+    for (label i = 0; i < basis().nComponents(); ++i)
+    {
+        forceJacobian_.middleRows(i*n, n) =
+            basis().multiplied(area, forceJacobian_.middleRows(i*n, n));
+    }
     motion_->restoreVolume(at, forceJacobian_);
     derivative_.compute(fluidJacobian_ - forceJacobian_*displacementResponse_);
 }
@@ -62,7 +65,7 @@ Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::residual
         implicit_
       ? membrane_.force
         (
-            movedSurface(basis().unpack(y.head(n))), curve().areaElement()
+            movedSurface(basis().unpack(y.head(n))), surface().areaElement()
         )
       : explicitForce_
     );

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneMotion.H"
+#include "sphericalBasis.H"
 
 const Foam::scalar Foam::capsule::membraneMotion::waves = 3;
 
@@ -17,22 +18,20 @@ const Foam::scalar Foam::capsule::membraneMotion::waves = 3;
 
 Foam::capsule::nodalMatrix Foam::capsule::membraneMotion::volumeDerivative
 (
-    const closedSurface& curve
+    const closedSurface& surface
 )
 {
-    // Of all nodes, in the unknowns of those that count
-    const surfaceBasis& basis = curve.basis();
-    const scalar images = scalar(basis.size())/basis.nPacked();
-    return images*basis.pack(curve.volumeDerivative()).transpose();
+    return
+        surface.basis().packedWeights(surface.volumeDerivative()).transpose();
 }
 
 
 Foam::capsule::nodalScalars Foam::capsule::membraneMotion::shift
 (
-    const closedSurface& curve
+    const closedSurface& surface
 )
 {
-    return curve.basis().pack(curve.normal())/curve.surface();
+    return surface.basis().pack(surface.normal())/surface.area();
 }
 
 
@@ -43,7 +42,7 @@ Foam::capsule::membraneMotion::membraneMotion
     const membrane& body,
     const closedSurface& interface,
     const closedSurface& predicted,
-    const nodalMatrix& filter,
+    const nodalFilter& filter,
     const timeScheme& scheme,
     const bool conserveVolume
 )
@@ -55,9 +54,13 @@ Foam::capsule::membraneMotion::membraneMotion
     filter_(filter),
     excess_(excess(body, predicted, body.old(0).velocity, 0.25*scheme.c))
 {
+    for (label i = 0; i < 2; ++i)
+    {
+        reduced_[i] = body.basis().reduced(filter, i);
+    }
     if (excess_.size())
     {
-        excess_ = filter_*excess_;
+        excess_ = interface.filtered(filter_, interface.tangential(excess_));
     }
 }
 
@@ -79,7 +82,7 @@ Foam::capsule::nodalScalars Foam::capsule::membraneMotion::excess
     const scalar decay = min(fastest, slope.norm()/g.norm());
 
     const nodalScalars change = rate + decay*g;
-    nodalScalars w = curve.basis().integrated
+    nodalScalars w = curve.basis().curve().integrated
     (
         change.sum()/reference.sum()*reference - change
     );
@@ -89,19 +92,83 @@ Foam::capsule::nodalScalars Foam::capsule::membraneMotion::excess
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::membraneMotion::excess
+Foam::capsule::nodalVectors Foam::capsule::membraneMotion::excess
 (
     const membrane& body,
-    const closedSurface& curve,
+    const closedSurface& surface,
     const nodalVectors& U,
     const scalar fastest
 )
 {
     if (body.material())
     {
-        return nodalScalars();
+        return nodalVectors(0, surface.nComponents());
     }
-    return excess(curve, body.referenceMetric(), U, fastest);
+    if (surface.spatial())
+    {
+        return spatialExcess(surface, body.referenceMetric(), U, fastest);
+    }
+    return scaled
+    (
+        excess(surface, body.referenceMetric(), U, fastest), surface.tangent()
+    );
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::membraneMotion::spatialExcess
+(
+    const closedSurface& surface,
+    const nodalScalars& reference,
+    const nodalVectors& U,
+    const scalar fastest
+)
+{
+    const sphericalBasis& basis = surface.basis().spherical();
+    const nodalVectors& n = surface.normal();
+    const nodalScalars J = surface.areaElement();
+    const auto mean = [&](const nodalScalars& q)
+    {
+        return basis.weights().dot(q);
+    };
+
+    // Along the normal as the fluid, along the surface with the whole
+    const nodalVectors whole =
+        nodalScalars::Ones(n.rows())*(surface.flow(U)/surface.volume());
+    const nodalVectors along = surface.tangential(whole);
+    const nodalScalars rate =
+        J.cwiseProduct(surface.divergence(scaled(dot(U, n), n) + along));
+    const scalar decay = min
+    (
+        fastest,
+        std::sqrt
+        (
+            surface.gradients(U).squaredNorm()/scalar(n.rows())
+        )
+    );
+    const nodalScalars change = rate + decay*J;
+    const nodalScalars wanted =
+        mean(change)/mean(reference)*reference - change;
+
+    // By the gradient of a potential on the unit sphere
+    nodalScalars potential = basis.analysis().topRows(basis.nPacked())*wanted;
+    potential(0) = 0;
+    for (label i = 1; i < potential.size(); ++i)
+    {
+        const scalar l = sphericalHarmonics::degreeOf(i);
+        potential(i) /= -l*(l + 1);
+    }
+    nodalVectors w = along - surface.tangential(U);
+    for (label i = 0; i < 2; ++i)
+    {
+        const nodalScalars slope =
+            basis.grid().derivative(i).leftCols(potential.size())*potential;
+        w += scaled
+        (
+            slope.cwiseQuotient(J),
+            nodalVectors(basis.derivative(i)*surface.nodes())
+        );
+    }
+    return w;
 }
 
 
@@ -115,7 +182,7 @@ Foam::capsule::nodalVectors Foam::capsule::membraneMotion::velocity
     {
         const scalar flux =
             interface_.integral(dot(result, interface_.normal()));
-        result -= flux/interface_.surface()*interface_.normal();
+        result -= flux/interface_.area()*interface_.normal();
     }
     return result;
 }
@@ -133,16 +200,16 @@ Foam::capsule::nodalVectors Foam::capsule::membraneMotion::points
     }
     if (excess_.size())
     {
-        x += scaled(excess_, interface_.tangent());
+        x += excess_;
     }
     x /= scheme_.c;
 
     if (conserveVolume_)
     {
-        const closedSurface curve(body_.basis(), x);
+        const closedSurface surface(body_.basis(), x);
         x +=
-            (body_.referenceVolume() - curve.volume())/curve.surface()
-           *curve.normal();
+            (body_.referenceVolume() - surface.volume())/surface.area()
+           *surface.normal();
     }
     return body_.basis().symmetric(x);
 }
@@ -155,11 +222,11 @@ Foam::capsule::nodalMatrix Foam::capsule::membraneMotion::displacements
 {
     const surfaceBasis& basis = body_.basis();
     const label n = basis.nPacked();
-    nodalMatrix result(2*n, U.cols());
-    for (label i = 0; i < 2; ++i)
+    nodalMatrix result(U.rows(), U.cols());
+    for (label i = 0; i < basis.nComponents(); ++i)
     {
         result.middleRows(i*n, n) =
-            basis.reduced(filter_, i)*U.middleRows(i*n, n);
+            reduced_[min(i, label(1))]*U.middleRows(i*n, n);
     }
     if (conserveVolume_)
     {

@@ -71,15 +71,21 @@ Foam::scalar Foam::capsule::momentumLayer::thickness
     const scalar width
 ) const
 {
-    const closedSurface curve(body.curve());
-    const nodalVectors slope = curve.ds(body.now().velocity);
-    const nodalScalars along = dot(slope, curve.tangent());
-    nodalScalars turning = dot(slope, curve.normal());
-    turning.array() -= curve.integral(turning)/curve.surface();
+    const closedSurface surface(body.surface());
+    nodalVectors U = body.now().velocity;
+    const nodalVectors x = surface.nodes().rowwise() - surface.centroid();
+    for (label k = 0; k < surface.nRotations(); ++k)
+    {
+        // Without the rotation as a whole
+        const nodalVectors turn = turned(x, k);
+        U -=
+            surface.integral(dot(U, turn))/surface.integral(dot(turn, turn))
+           *turn;
+    }
     scalar omega = std::sqrt
     (
-        curve.integral(along.cwiseAbs2() + turning.cwiseAbs2())
-       /curve.surface()
+        surface.integral(surface.gradients(U).rowwise().squaredNorm())
+       /surface.area()
     );
 
     const scalar inTime = rate();

@@ -48,25 +48,20 @@ Foam::capsule::immersedInterface* Foam::capsule::sharpMembrane::makeInterface
 
 Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::resolved
 (
-    const closedSurface& curve,
-    const nodalMatrix& filter,
+    const closedSurface& surface,
+    const nodalFilter& filter,
     const nodalVectors& f
 )
 {
-    // Along normal and tangent, so that a uniform pressure is kept whole
-    const nodalVectors& n = curve.normal();
-    const nodalVectors& t = curve.tangent();
-
-    nodalVectors result =
-        scaled(filter*dot(f, n), n) + scaled(filter*dot(f, t), t);
-
-    if (curve.axisymmetric())
+    nodalVectors result = surface.filtered(filter, f);
+    if (surface.axisymmetric() || surface.spatial())
     {
-        // The rest has no resultant along the axis, or it would not fade; a
-        // smooth pressure takes it
-        const scalar missing = curve.resultant(f - result)(0);
-        const nodalVectors smooth = scaled(n.col(0), n);
-        result += missing/curve.resultant(smooth)(0)*smooth;
+        // The rest has no resultant, or it would not fade; a smooth pressure
+        // takes it
+        result += scaled
+        (
+            surface.pressureOf(surface.resultant(f - result)), surface.normal()
+        );
     }
     return result;
 }
@@ -75,7 +70,7 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::resolved
 Foam::capsule::nodalVectors
 Foam::capsule::sharpMembrane::resolvedForce() const
 {
-    return resolved(curve(), resolving_, membrane_.now().force);
+    return resolved(surface(), resolving_, membrane_.now().force);
 }
 
 
@@ -92,15 +87,15 @@ void Foam::capsule::sharpMembrane::setJumps
     const membrane::state& s
 )
 {
-    const closedSurface& curve = interface.levelSet().curve();
-    const nodalMatrix passed = filter(curve, forceWaves_);
+    const closedSurface& at = interface.levelSet().surface();
+    const nodalFilter passed = filter(at, forceWaves_);
 
     interface.setJumps
     (
         jumpConditions
         (
-            curve,
-            resolved(curve, passed, s.force),
+            at,
+            resolved(at, passed, s.force),
             s.inertia,
             nodalScalars::Zero(membrane_.size()),
             mu_
@@ -120,7 +115,7 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::velocity
     fluid_ = (*fit_)(U, ratio_ != 1 ? &p : nullptr);
 
     return
-        fluid_.value.leftCols(2)
+        fluid_.value.leftCols(basis().nComponents())
       + basis().unpack(mobility()*unresolvedForce());
 }
 
@@ -154,7 +149,7 @@ void Foam::capsule::sharpMembrane::start(const volVectorField& U)
     if (membrane_.nOld() == 0 && scaling_.inertial())
     {
         // No boundary layers yet
-        now.inertia = scaled(-viscousForce(now), curve().tangent());
+        now.inertia = -viscousForce(now);
     }
     setJumps(*interface_, now);
     fit_.reset(new oneSidedFit(*interface_, fitSide()));
@@ -197,13 +192,13 @@ void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
     {
         oldViscousForce_ = viscousForce(membrane_.old(0));
     }
-    resolving_ = filter(curve(), forceWaves_);
+    resolving_ = filter(surface(), forceWaves_);
     setResponse
     (
         predictedCurve,
         method,
         fluidDerivative(method),
-        freeSpaceResponse::singleLayer(curve(), mu_)
+        freeSpaceResponse::singleLayer(surface(), mu_)
     );
     if (ratio_ != 1)
     {
@@ -271,7 +266,7 @@ void Foam::capsule::sharpMembrane::addSources
         (
             jumpConditions
             (
-                curve(),
+                surface(),
                 f,
                 membrane_.now().inertia,
                 pressureLaplacian,
@@ -307,7 +302,7 @@ void Foam::capsule::sharpMembrane::addSources
         // missing of the membrane's resultant would show as noise of the
         // pressure drop
         const vector resultant =
-            plane_.sector()*plane_.toVector(curve().resultant(f));
+            plane_.sector()*plane_.toVector(surface().resultant(f));
         interface_->addForce
         (
             resultant - plane_.conserved(found), sources.momentum

@@ -19,11 +19,12 @@ Foam::capsule::nodalMatrix Foam::capsule::sharpMembrane::fluidDerivative
 )
 {
     const label n = basis().nPacked();
-    nodalMatrix derivative = nodalMatrix::Identity(2*n, 2*n);
+    const label d = basis().nComponents();
+    nodalMatrix derivative = nodalMatrix::Identity(d*n, d*n);
 
     if (ratio_ != 1)
     {
-        traction_ = freeSpaceResponse::adjointDoubleLayer(curve());
+        traction_ = freeSpaceResponse::adjointDoubleLayer(surface());
         traction_.diagonal().array() += 0.5;
         if (!method.usesResponse())
         {
@@ -32,18 +33,53 @@ Foam::capsule::nodalMatrix Foam::capsule::sharpMembrane::fluidDerivative
         derivative -= (1 - ratio_)*traction_;
 
         // The normal traction is a pressure
-        const nodalScalars nx = curve().normal().col(0).head(n);
-        const nodalScalars ny = curve().normal().col(1).head(n);
-        const nodalMatrix normal =
-            (1 - ratio_)*(1 - scaling_.pressureWeight())
-           *(
-                nx.asDiagonal()*traction_.topRows(n)
-              + ny.asDiagonal()*traction_.bottomRows(n)
+        nodalMatrix normal = nodalMatrix::Zero(n, d*n);
+        for (label i = 0; i < d; ++i)
+        {
+            normal += basis().multiplied
+            (
+                surface().normal().col(i), traction_.middleRows(i*n, n)
             );
-        derivative.topRows(n) += nx.asDiagonal()*normal;
-        derivative.bottomRows(n) += ny.asDiagonal()*normal;
+        }
+        normal *= (1 - ratio_)*(1 - scaling_.pressureWeight());
+        for (label i = 0; i < d; ++i)
+        {
+            derivative.middleRows(i*n, n) +=
+                basis().multiplied(surface().normal().col(i), normal);
+        }
     }
     return derivative;
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::shearOf
+(
+    const nodalVectors& v
+) const
+{
+    const label m = surface().nRotations();
+    nodalScalars moments(m);
+    nodalMatrix ofShear(m, m);
+    for (label k = 0; k < m; ++k)
+    {
+        moments(k) = surface().moment(v, k);
+        for (label j = 0; j < m; ++j)
+        {
+            ofShear(k, j) =
+                surface().moment(turned(surface().normal(), j), k);
+        }
+    }
+
+    nodalVectors result(nodalVectors::Zero(v.rows(), v.cols()));
+    if (m > 0)
+    {
+        const nodalScalars amounts = ofShear.inverse()*moments;
+        for (label k = 0; k < m; ++k)
+        {
+            result += amounts(k)*turned(surface().normal(), k);
+        }
+    }
+    return result;
 }
 
 
@@ -51,67 +87,52 @@ Foam::capsule::nodalMatrix Foam::capsule::sharpMembrane::fluidDerivative
 
 Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastTraction
 (
-    const vector2& driving
+    const solvedVector& driving
 )
 {
     if (ratio_ == 1)
     {
         return immersedMembrane::contrastTraction(driving);
     }
-    const nodalVectors& n = curve().normal();
-    const nodalVectors& t = curve().tangent();
+
+    const nodalVectors& n = surface().normal();
 
     // The real pressure, scaled: see membraneSystem, driven flow
     nodalScalars pressure =
         fluid_.pressure(mu_)
-      - (curve().nodes().rowwise() - levelSet().centre())*driving.transpose();
+      - (surface().nodes().rowwise() - levelSet().centre())*driving.transpose();
     nodalVectors viscous = fluid_.viscous(n, mu_);
-    nodalScalars vorticity = mu_*fluid_.vorticity();
+    nodalVectors vorticity = mu_*fluid_.vorticity(n);
     if (fitSide() > 0)
     {
         const nodalVectors f = resolvedForce();
+        const nodalVectors along = surface().tangential(f);
         pressure -= dot(f, n);
-        viscous += scaled(dot(f, t), t);
-        vorticity += dot(f, t);
+        viscous += along;
+        vorticity += along;
     }
+
     const nodalVectors shortWaves = basis().unpack(traction_*unresolvedForce());
     pressure -= dot(shortWaves, n);
-    viscous += scaled(dot(shortWaves, t), t);
+    viscous += surface().tangential(shortWaves);
 
     // The resultant is known; pressure a.n with the constant a fills it
-    const nodalVectors traction = ratio_*viscous - scaled(pressure/scaling_.scale(), n);
-    Eigen::Matrix<scalar, 2, 2> normals;
-    normals.row(0) = curve().resultant(scaled(n.col(0), n));
-    normals.row(1) = curve().resultant(scaled(n.col(1), n));
-    if (curve().axisymmetric())
-    {
-        // None away from the axis
-        normals(1, 1) = 1;
-    }
-    const vector2 a =
-        (curve().resultant(traction) - momentumRate())*normals.inverse();
-    pressure += scaling_.scale()*n*a.transpose();
-    if (ratio_ > 1 && !scaling_.inertial() && !curve().axisymmetric())
+    const scalar s = scaling_.scale();
+    const nodalVectors traction = ratio_*viscous - scaled(pressure/s, n);
+    pressure +=
+        s*surface().pressureOf(surface().resultant(traction) - momentumRate());
+
+    if (ratio_ > 1 && !scaling_.inertial())
     {
         // So is the moment about the centroid, which the rate of momentum does
-        // not change; shear along the membrane fills it
-        const auto moment = [&](const nodalVectors& v)
-        {
-            const nodalVectors x =
-                curve().nodes().rowwise() - curve().centroid();
-            return curve().integral
-            (
-                x.col(0).cwiseProduct(v.col(1))
-              - x.col(1).cwiseProduct(v.col(0))
-            );
-        };
-        const nodalVectors corrected =
-            ratio_*viscous - scaled(pressure/scaling_.scale(), n);
-        viscous -= t*(moment(corrected)/(ratio_*moment(t)));
+        // not change
+        viscous -= shearOf(ratio_*viscous - scaled(pressure/s, n))/ratio_;
     }
 
-    membrane_.now().inner.col(0) = vorticity;
-    membrane_.now().inner.col(1) = pressure/scaling_.scale();
-
+    membrane_.now().vorticity = vorticity;
+    membrane_.now().pressure = pressure/s;
     return (1 - ratio_)*(viscous - scaling_.pressureWeight()*scaled(pressure, n));
 }
+
+
+// ************************************************************************* //

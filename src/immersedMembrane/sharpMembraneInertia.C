@@ -13,17 +13,15 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::viscousForce
+Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::viscousForce
 (
     const membrane::state& s
 ) const
 {
-    const closedSurface curve(membrane_.basis(), s.interface);
-    const nodalVectors f =
-        resolved(curve, filter(curve, forceWaves_), s.force);
+    const closedSurface at(membrane_.basis(), s.interface);
+    const nodalVectors f = resolved(at, filter(at, forceWaves_), s.force);
 
-    return
-        curve.ds(dot(f, curve.normal())) + dot(s.inertia, curve.tangent());
+    return at.gradient(dot(f, at.normal())) + at.tangential(s.inertia);
 }
 
 
@@ -51,51 +49,54 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::inertia() const
     }
     if (scheme.c != 0 && excess().size())
     {
-        // The points pass along the fluid: Du/Dt = du/dt - w du/ds
-        force -= scaled(excess(), curve().ds(now.velocity));
+        // The points pass along the fluid: Du/Dt = du/dt - w.grad u
+        force -= surface().along(excess(), now.velocity);
     }
     force *= rho_;
 
-    const nodalScalars vorticity = now.inner.col(0);
-    const nodalScalars pressure = now.inner.col(1);
     const nodalScalars normal =
-        (1 - scaling_.viscousScale())*curve().divergence(vorticity)
-      + (1 - scaling_.scale())*dot(force, curve().normal());
-    nodalScalars tangential =
-        (scaling_.scale() - 1/ratio_)*curve().ds(pressure)
-      + (1 - 1/ratio_)*dot(force, curve().tangent());
+        (1 - scaling_.viscousScale())*surface().divergence(now.vorticity)
+      + (1 - scaling_.scale())*dot(force, surface().normal());
+    nodalVectors tangential =
+        (scaling_.scale() - 1/ratio_)*surface().gradient(now.pressure)
+      + (1 - 1/ratio_)*surface().tangential(force);
     if (scaling_.inertial())
     {
-        const nodalScalars along =
-            curve().ds(dot(resolvedForce(), curve().normal()));
+        const nodalVectors along =
+            surface().gradient(dot(resolvedForce(), surface().normal()));
         const scalar a = scaling_.relaxation();
         tangential = a*tangential + (1 - a)*(oldViscousForce_ - along);
     }
-
-    return
-        scaled(resolving_*normal, curve().normal())
-      + scaled(resolving_*tangential, curve().tangent());
+    return surface().filtered
+    (
+        resolving_, scaled(normal, surface().normal()) + tangential
+    );
 }
 
 
 Foam::capsule::nodalScalars
 Foam::capsule::sharpMembrane::pressureLaplacian() const
 {
-    const auto times = [](const nodalScalars& a, const nodalScalars& b)
+    // The gradient jumps by n b with b along the surface, its product with
+    // itself by 2 n.(b.grad u)
+    const nodalVectors b = -surface().tangential(resolvedForce())/mu_;
+    const nodalScalars jump =
+        2*dot
+        (
+            surface().along(b, membrane_.now().velocity), surface().normal()
+        );
+    nodalScalars fitted = nodalScalars::Zero(surface().size());
+    for (label i = 0; i < surface().nComponents(); ++i)
     {
-        return nodalScalars(a.cwiseProduct(b));
-    };
-    const nodalMatrix& x = fluid_.gradient[0];
-    const nodalMatrix& y = fluid_.gradient[1];
-
-    // The gradient jumps by n b t, its product with itself by 2 b U_s.n
-    const nodalScalars b = -dot(resolvedForce(), curve().tangent())/mu_;
-    const nodalVectors along = curve().ds(membrane_.now().velocity);
-    const nodalScalars jump = 2*times(b, dot(along, curve().normal()));
-    nodalScalars fitted =
-        times(x.col(0), x.col(0)) + times(y.col(1), y.col(1))
-      + 2*times(x.col(1), y.col(0));
-    if (curve().axisymmetric())
+        for (label j = 0; j < surface().nComponents(); ++j)
+        {
+            fitted += fluid_.gradient[i].col(j).cwiseProduct
+            (
+                fluid_.gradient[j].col(i)
+            );
+        }
+    }
+    if (surface().axisymmetric())
     {
         fitted += fluid_.hoopRate.cwiseAbs2();
     }
@@ -111,17 +112,18 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::relaxedForce
     const nodalScalars& df
 ) const
 {
-    const nodalVectors f = resolved(curve(), resolving_, basis().unpack(df));
-    const nodalScalars along =
-        resolving_*curve().ds(dot(f, curve().normal()));
-
+    const nodalVectors f = resolved(surface(), resolving_, basis().unpack(df));
+    const nodalVectors along = surface().filtered
+    (
+        resolving_, surface().gradient(dot(f, surface().normal()))
+    );
     return
-        levelSet().width()*(1 - scaling_.relaxation())
-       *basis().pack(scaled(along, curve().tangent()));
+        levelSet().width()*(1 - scaling_.relaxation())*basis().pack(along);
 }
 
 
-Foam::capsule::vector2 Foam::capsule::sharpMembrane::momentumRate() const
+Foam::capsule::solvedVector
+Foam::capsule::sharpMembrane::momentumRate() const
 {
     const timeScheme& scheme = flowScheme();
 
@@ -130,7 +132,7 @@ Foam::capsule::vector2 Foam::capsule::sharpMembrane::momentumRate() const
         return closedSurface(basis(), s.x).flow(s.velocity);
     };
 
-    vector2 rate = vector2::Zero();
+    solvedVector rate = solvedVector::Zero(basis().nComponents());
     if (scheme.c != 0)
     {
         rate = scheme.c*flow(membrane_.now()) - scheme.c0*flow(membrane_.old(0));

@@ -9,34 +9,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneLevelSet.H"
-#include "mathematicalConstants.H"
 #include "surfaceFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::scalar Foam::capsule::membraneLevelSet::sampleAlpha
-(
-    const label sample
-) const
-{
-    return sample*constant::mathematical::twoPi/samples_.size();
-}
-
-
-Foam::scalar Foam::capsule::membraneLevelSet::project
-(
-    const vector2& x,
-    scalar& alpha
-) const
-{
-    alpha = curve_.nearest(x, alpha);
-    // x' turned points out: its side is the sign of the distance
-    vector2 foot, x1, x2;
-    curve_.expand(alpha, foot, x1, x2);
-    const vector2 d = x - foot;
-    return d.dot(turned(x1)) < 0 ? -d.norm() : d.norm();
-}
-
 
 Foam::tmp<Foam::volScalarField>
 Foam::capsule::membraneLevelSet::newField(const scalar outside) const
@@ -63,21 +38,20 @@ void Foam::capsule::membraneLevelSet::setCells
 )
 {
     const pointField& centres = cellSearch::New(mesh_).centres();
-    DynamicList<scalar> alphas;
     DynamicList<scalar> distances;
 
     for (const label celli : candidates)
     {
-        const vector2 x = image(centres[celli]);
+        const solvedVector x = image(centres[celli]);
         const point c = plane_.toPoint(x);
         pointIndexHit hit = tree_->findNearest(c, sqr(reach));
         scalar distance;
         if (hit.hit())
         {
-            scalar alpha = sampleAlpha(hit.index());
-            distance = project(x, alpha);
+            surfaceParameter foot = parameters_[hit.index()];
+            distance = surface_.signedDistance(x, foot);
             cells_.append(celli);
-            alphas.append(alpha);
+            feet_.append(foot);
             distances.append(distance);
         }
         else
@@ -93,7 +67,6 @@ void Foam::capsule::membraneLevelSet::setCells
         }
     }
 
-    alpha_ = Eigen::Map<const nodalScalars>(alphas.cdata(), alphas.size());
     distance_ =
         Eigen::Map<const nodalScalars>(distances.cdata(), distances.size());
 }
@@ -106,27 +79,37 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     const word& name,
     const fvMesh& mesh,
     const solvedDirections& plane,
-    const closedSurface& curve,
+    const closedSurface& surface,
     const scalar bandWidth
 )
 :
     name_(name),
     mesh_(mesh),
     plane_(plane),
-    curve_(curve),
-    samples_(plane.toPoints(curve.sampled(4*curve.size()))),
+    surface_(surface),
+    parameters_(surface.basis().samples()),
+    samples_(parameters_.size()),
     width_(0),
     band_(0),
-    centre_(plane(boundBox(samples_, false).midpoint()))
+    centre_(plane.size())
 {
+    nodalVectors normals(samples_.size(), plane.size());
+    forAll(samples_, i)
+    {
+        const surfacePoint sample = surface.expand(parameters_[i]);
+        samples_[i] = plane.toPoint(sample.x);
+        normals.row(i) = closedSurface::normal(sample);
+    }
+    centre_ = plane(boundBox(samples_, false).midpoint());
+
     // Geometry that the processors make together: not later, on those alone
     // that hold a part of the membrane
     mesh.C();
     mesh.nonOrthDeltaCoeffs();
 
     treeBoundBox bounds(samples_);
-    bounds.min() -= vector::uniform(0.1*curve.perimeter());
-    bounds.max() += vector::uniform(0.1*curve.perimeter());
+    bounds.min() -= vector::uniform(0.6*surface.meanRadius());
+    bounds.max() += vector::uniform(0.6*surface.meanRadius());
     tree_.reset
     (
         new indexedOctree<treeDataPoint>
@@ -138,13 +121,13 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     const cellSearch& search = cellSearch::New(mesh);
     const pointField& centres = search.centres();
 
-    // Cell width: the largest of the cells that the curve runs through
-    const scalar sampleSpacing = 2*curve.perimeter()/samples_.size();
-    const List<vector2> images
+    // Cell width: the largest of the cells that the surface runs through
+    const scalar sampleSpacing = surface.sampleSpacing();
+    const List<solvedVector> images
     (
         plane.images().images(centre_, plane.images().wrapped(centre_))
     );
-    const auto boxAround = [&](const scalar margin, const vector2& image)
+    const auto boxAround = [&](const scalar margin, const solvedVector& image)
     {
         const vector shift(plane.toVector(image - centre_));
         boundBox box(samples_, false);
@@ -155,7 +138,7 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     const auto around = [&](const scalar margin)
     {
         DynamicList<label> cells;
-        for (const vector2& i : images)
+        for (const solvedVector& i : images)
         {
             cells.append(search.inBox(boxAround(margin, i)));
         }
@@ -165,7 +148,7 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     const auto findObstacles = [&](const scalar margin)
     {
         obstacles_.clear();
-        for (const vector2& i : images)
+        for (const solvedVector& i : images)
         {
             lineOfSight::New(mesh).append
             (
@@ -178,7 +161,7 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     for (const label celli : around(search.largestWidth() + sampleSpacing))
     {
         const scalar h = search.ofCell(celli).largest();
-        const vector2 x = image(centres[celli]);
+        const solvedVector x = image(centres[celli]);
         const pointIndexHit hit =
             tree_->findNearest(plane.toPoint(x), sqr(h + sampleSpacing));
         if (hit.hit() && sees(plane(hit.hitPoint()), x))
@@ -191,13 +174,6 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     band_ = bandWidth*width_;
     const scalar reach = band_ + sampleSpacing;
     findObstacles(reach);
-
-    nodalVectors normals(samples_.size(), 2);
-    for (label i = 0; i < samples_.size(); ++i)
-    {
-        normals.row(i) =
-            turned(curve.point(sampleAlpha(i), 1));
-    }
     setCells(around(reach), normals, reach);
 }
 
@@ -206,14 +182,14 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
 
 Foam::scalar Foam::capsule::membraneLevelSet::signedDistance
 (
-    const vector2& x,
-    scalar& alpha
+    const solvedVector& x,
+    surfaceParameter& foot
 ) const
 {
-    vector2 nearest = x;
+    solvedVector nearest = x;
     label sample = -1;
     scalar bound = sqr(GREAT);
-    for (const vector2& image : plane_.images().images(x, centre_))
+    for (const solvedVector& image : plane_.images().images(x, centre_))
     {
         const point c = plane_.toPoint(image);
         const pointIndexHit hit = tree_->findNearest(c, bound);
@@ -225,18 +201,18 @@ Foam::scalar Foam::capsule::membraneLevelSet::signedDistance
         }
     }
 
-    alpha = sampleAlpha(sample);
-    return project(nearest, alpha);
+    foot = parameters_[sample];
+    return surface_.signedDistance(nearest, foot);
 }
 
 
 Foam::scalar Foam::capsule::membraneLevelSet::signedDistanceFrom
 (
-    const vector2& x,
-    scalar& alpha
+    const solvedVector& x,
+    surfaceParameter& foot
 ) const
 {
-    return project(plane_.images().image(x, centre_), alpha);
+    return surface_.signedDistance(plane_.images().image(x, centre_), foot);
 }
 
 
@@ -258,8 +234,8 @@ Foam::tmp<Foam::volScalarField> Foam::capsule::membraneLevelSet::near() const
         {
             if (mag(pf[i]) < band_)
             {
-                scalar alpha;
-                const scalar d = signedDistance(plane_(faces[i]), alpha);
+                surfaceParameter foot;
+                const scalar d = signedDistance(plane_(faces[i]), foot);
                 pf[i] = max(-band_, min(band_, d));
             }
         }
@@ -276,8 +252,8 @@ Foam::tmp<Foam::volScalarField> Foam::capsule::membraneLevelSet::whole() const
 
     forAll(field, celli)
     {
-        scalar alpha;
-        field[celli] *= mag(signedDistance(plane_(mesh_.C()[celli]), alpha));
+        surfaceParameter foot;
+        field[celli] *= mag(signedDistance(plane_(mesh_.C()[celli]), foot));
     }
     forAll(field.boundaryField(), patchi)
     {
@@ -285,8 +261,8 @@ Foam::tmp<Foam::volScalarField> Foam::capsule::membraneLevelSet::whole() const
         const vectorField& faces = mesh_.C().boundaryField()[patchi];
         forAll(pf, i)
         {
-            scalar alpha;
-            pf[i] = signedDistance(plane_(faces[i]), alpha);
+            surfaceParameter foot;
+            pf[i] = signedDistance(plane_(faces[i]), foot);
         }
     }
 

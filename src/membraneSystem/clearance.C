@@ -27,7 +27,7 @@ namespace capsule
 {
 
 //- Middle of the box around points
-static vector2 middle(const nodalVectors& points)
+static solvedVector middle(const nodalVectors& points)
 {
     return 0.5*(points.colwise().minCoeff() + points.colwise().maxCoeff());
 }
@@ -51,6 +51,29 @@ static nodalVectors subdivided(const nodalVectors& x)
     return result;
 }
 
+
+//- Those of given points that are in a box with a margin around it
+static nodalVectors inBox
+(
+    const nodalVectors& points,
+    const solvedVector& low,
+    const solvedVector& high,
+    const scalar margin
+)
+{
+    nodalVectors result(points.rows(), points.cols());
+    label n = 0;
+    for (label i = 0; i < points.rows(); ++i)
+    {
+        const solvedVector x = points.row(i);
+        if (min((x - low).minCoeff(), (high - x).minCoeff()) >= -margin)
+        {
+            result.row(n++) = x;
+        }
+    }
+    return result.topRows(n);
+}
+
 } // End namespace capsule
 } // End namespace Foam
 
@@ -59,28 +82,37 @@ static nodalVectors subdivided(const nodalVectors& x)
 
 bool Foam::capsule::clearance::meetHere
 (
-    const nodalVectors& a,
-    const nodalVectors& b,
+    const surfaceSamples& a,
+    const surfaceSamples& b,
+    const solvedVector& move,
     const scalar cells
 ) const
 {
+    const nodalVectors moved = b.points().rowwise() + move;
+    const scalar margin = cells*width_;
+    const solvedVector lowA = a.points().colwise().minCoeff();
+    const solvedVector highA = a.points().colwise().maxCoeff();
+    const solvedVector lowB = moved.colwise().minCoeff();
+    const solvedVector highB = moved.colwise().maxCoeff();
+
     // Boxes apart, as those of most images are
-    const vector2 after = a.colwise().minCoeff() - b.colwise().maxCoeff();
-    const vector2 before = b.colwise().minCoeff() - a.colwise().maxCoeff();
-    if (max(after.maxCoeff(), before.maxCoeff()) > cells*width_)
+    if (max((lowA - highB).maxCoeff(), (lowB - highA).maxCoeff()) > margin)
     {
         return false;
     }
-    for (label i = 0; i < a.rows(); ++i)
+
+    const nodalVectors nearB = inBox(a.points(), lowB, highB, margin);
+    const nodalVectors nearA = inBox(moved, lowA, highA, margin);
+    for (label i = 0; nearA.rows() && i < nearB.rows(); ++i)
     {
         const scalar nearest =
-            (b.rowwise() - a.row(i)).rowwise().squaredNorm().minCoeff();
-        if (nearest < sqr(cells*width_))
+            (nearA.rowwise() - nearB.row(i)).rowwise().squaredNorm().minCoeff();
+        if (nearest < sqr(margin))
         {
             return true;
         }
     }
-    return inPolygon(a.row(0), b) || inPolygon(b.row(0), a);
+    return a.contains(moved.row(0)) || b.contains(a.points().row(0) - move);
 }
 
 
@@ -89,12 +121,12 @@ bool Foam::capsule::clearance::meetHere
 Foam::capsule::clearance::clearance
 (
     const fvMesh& mesh,
-    const solvedDirections& plane
+    const solvedDirections& directions
 )
 :
-    plane_(plane),
+    directions_(directions),
     boundary_(meshBoundary::New(mesh)),
-    width_(gMin(plane.widths(mesh)())),
+    width_(gMin(directions.widths(mesh)())),
     largest_(cellSearch::New(mesh).largestWidth())
 {}
 
@@ -103,13 +135,13 @@ Foam::capsule::clearance::clearance
 
 Foam::string Foam::capsule::clearance::obstacle
 (
-    const nodalVectors& curve,
+    const nodalVectors& points,
     const scalar cells
 ) const
 {
-    for (const vector2& p : plane_.images().periods())
+    for (const solvedVector& p : directions_.images().periods())
     {
-        const nodalScalars along = curve*p.transpose()/p.norm();
+        const nodalScalars along = points*p.transpose()/p.norm();
         const scalar gap = p.norm() - (along.maxCoeff() - along.minCoeff());
         if (gap < leastToImage*largest_)
         {
@@ -119,10 +151,13 @@ Foam::string Foam::capsule::clearance::obstacle
         }
     }
 
-    const string near = boundary_.nearest(subdivided(subdivided(curve)), cells);
-    if (near.empty() && !boundary_.contains(curve.row(0)))
+    const string near = boundary_.nearest
+    (
+        directions_.spatial() ? points : subdivided(subdivided(points)), cells
+    );
+    if (near.empty() && !boundary_.contains(points.row(0)))
     {
-        // It crosses none: the whole curve lies outside
+        // It crosses none: the whole surface lies outside
         return "the boundary";
     }
     return near;
@@ -131,19 +166,23 @@ Foam::string Foam::capsule::clearance::obstacle
 
 bool Foam::capsule::clearance::meet
 (
-    const nodalVectors& a,
-    const nodalVectors& b,
+    const surfaceSamples& a,
+    const surfaceSamples& b,
     const scalar cells
 ) const
 {
-    if (plane_.images().periods().empty())
+    const solvedVector centre = middle(b.points());
+    if (directions_.images().periods().empty())
     {
-        return meetHere(a, b, cells);
+        return meetHere(a, b, 0*centre, cells);
     }
-    const vector2 centre = middle(b);
-    for (const vector2& image : plane_.images().images(centre, middle(a)))
+    const List<solvedVector> images
+    (
+        directions_.images().images(centre, middle(a.points()))
+    );
+    for (const solvedVector& image : images)
     {
-        if (meetHere(a, b.rowwise() + (image - centre), cells))
+        if (meetHere(a, b, image - centre, cells))
         {
             return true;
         }
@@ -154,19 +193,19 @@ bool Foam::capsule::clearance::meet
 
 Foam::scalar Foam::capsule::clearance::film
 (
-    const closedSurface& curve,
-    vector2& where
+    const closedSurface& surface,
+    solvedVector& where
 ) const
 {
-    const nodalVectors& x = curve.nodes();
-    const nodalVectors& normal = curve.normal();
+    const nodalVectors& x = surface.nodes();
+    const nodalVectors& normal = surface.normal();
 
     scalar least = sqr(resolved*width_);
     for (label i = 0; i < x.rows(); ++i)
     {
         for (label j = i + 1; j < x.rows(); ++j)
         {
-            const vector2 d = x.row(j) - x.row(i);
+            const solvedVector d = x.row(j) - x.row(i);
             const scalar square = d.squaredNorm();
             if
             (
@@ -184,11 +223,26 @@ Foam::scalar Foam::capsule::clearance::film
 }
 
 
-Foam::scalar Foam::capsule::clearance::spacing(const nodalVectors& curve) const
+Foam::scalar Foam::capsule::clearance::spacing
+(
+    const closedSurface& surface
+) const
 {
-    const label n = curve.rows();
+    if (surface.spatial())
+    {
+        return
+            Foam::sqrt
+            (
+                surface.basis().weights().cwiseProduct
+                (
+                    surface.areaElement()
+                ).maxCoeff()
+            )/width_;
+    }
+    const nodalVectors& x = surface.nodes();
+    const label n = x.rows();
     nodalVectors sides(n, 2);
-    sides.topRows(n - 1) = curve.bottomRows(n - 1) - curve.topRows(n - 1);
-    sides.row(n - 1) = curve.row(0) - curve.row(n - 1);
+    sides.topRows(n - 1) = x.bottomRows(n - 1) - x.topRows(n - 1);
+    sides.row(n - 1) = x.row(0) - x.row(n - 1);
     return sides.rowwise().norm().maxCoeff()/width_;
 }

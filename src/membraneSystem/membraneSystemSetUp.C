@@ -18,18 +18,18 @@ License
 Foam::string Foam::capsule::membraneSystem::obstacle
 (
     const label i,
-    const List<nodalVectors>& points,
+    const List<surfaceSamples>& samples,
     const scalar cells
 ) const
 {
-    const string boundary = clearance_->obstacle(points[i], cells);
+    const string boundary = clearance_->obstacle(samples[i].points(), cells);
     if (!boundary.empty())
     {
         return boundary;
     }
     for (label j = 0; j < i; ++j)
     {
-        if (clearance_->meet(points[i], points[j], cells))
+        if (clearance_->meet(samples[i], samples[j], cells))
         {
             return "membrane " + parts_[j].body().name();
         }
@@ -41,12 +41,18 @@ Foam::string Foam::capsule::membraneSystem::obstacle
 Foam::string Foam::capsule::membraneSystem::predictedObstacle() const
 {
     const Time& time = mesh_.time();
-    List<nodalVectors> points(parts_.size());
+    List<surfaceSamples> samples(parts_.size());
     forAll(parts_, i)
     {
-        points[i] =
-            parts_[i].predicted(time.deltaTValue(), time.deltaT0Value());
-        const string near = obstacle(i, points, clearance::least);
+        samples[i] = clearance_->samples
+        (
+            closedSurface
+            (
+                parts_[i].body().basis(),
+                parts_[i].predicted(time.deltaTValue(), time.deltaT0Value())
+            )
+        );
+        const string near = obstacle(i, samples, clearance::least);
         if (!near.empty())
         {
             return
@@ -60,13 +66,13 @@ Foam::string Foam::capsule::membraneSystem::predictedObstacle() const
 
 void Foam::capsule::membraneSystem::warnOfResolution() const
 {
-    List<nodalVectors> points(parts_.size());
+    List<surfaceSamples> samples(parts_.size());
     forAll(parts_, i)
     {
         const word& name = parts_[i].body().name();
-        points[i] = parts_[i].body().now().x;
-
-        const string near = obstacle(i, points, clearance::resolved);
+        const closedSurface surface(parts_[i].body().surface());
+        samples[i] = clearance_->samples(surface);
+        const string near = obstacle(i, samples, clearance::resolved);
         if (!near.empty())
         {
             WarningInFunction
@@ -74,8 +80,8 @@ void Foam::capsule::membraneSystem::warnOfResolution() const
                 << clearance::resolved << " cell widths to " << near.c_str()
                 << ": the film there is not resolved" << endl;
         }
-        vector2 where;
-        const scalar film = clearance_->film(parts_[i].body().curve(), where);
+        solvedVector where;
+        const scalar film = clearance_->film(surface, where);
         if (film < clearance::resolved)
         {
             WarningInFunction
@@ -85,7 +91,7 @@ void Foam::capsule::membraneSystem::warnOfResolution() const
                 << ": it is too thin there, or folded too closely, to be"
                 << " resolved" << endl;
         }
-        const scalar spacing = clearance_->spacing(points[i]);
+        const scalar spacing = clearance_->spacing(surface);
         if (spacing > membrane::widestSpacing)
         {
             WarningInFunction
@@ -123,7 +129,7 @@ void Foam::capsule::membraneSystem::readMembranes()
     {
         clearance_.reset(new clearance(mesh_, plane_));
     }
-    List<nodalVectors> points;
+    List<surfaceSamples> samples;
     for (const entry& e : dict)
     {
         if (!e.isDict())
@@ -148,8 +154,8 @@ void Foam::capsule::membraneSystem::readMembranes()
             )
         );
 
-        points.append(parts_[i].body().now().x);
-        const string near = obstacle(i, points, clearance::least);
+        samples.append(clearance_->samples(parts_[i].body().surface()));
+        const string near = obstacle(i, samples, clearance::least);
         if (!near.empty())
         {
             FatalIOErrorInFunction(e.dict())

@@ -30,7 +30,67 @@ static pointField middles(const fvMesh& mesh, const solvedDirections& plane)
 }
 
 
-//- Size of a cell along the normal of its longest face, and across
+//- Directions of the mesh at a cell: the normal of its largest face, in space
+//  that of the largest one across, and what is perpendicular
+static solvedTensor directionsOf
+(
+    const fvMesh& mesh,
+    const solvedDirections& plane,
+    const label celli
+)
+{
+    const label n = plane.size();
+    solvedTensor result(solvedTensor::Zero(n, n));
+
+    for (label found = 0; found < n - 1; ++found)
+    {
+        scalar largest = 0;
+        for (const label facei : mesh.cells()[celli])
+        {
+            if
+            (
+                !mesh.isInternalFace(facei)
+             && !solvedDirections::cutsPlane
+                (
+                    mesh.boundaryMesh()[mesh.boundaryMesh().whichPatch(facei)]
+                )
+            )
+            {
+                continue;
+            }
+            const nodalVectors corners =
+                plane.corners(mesh.points(), mesh.faces()[facei]);
+            const scalar extent =
+                plane.spatial()
+              ? mag(mesh.faceAreas()[facei])
+              : (corners.row(1) - corners.row(0)).norm();
+            const solvedVector normal =
+                plane(mesh.faceAreas()[facei]).normalized();
+            const bool across =
+                found == 0 || mag(normal.dot(result.row(0))) < 0.5;
+            if (across && extent > (1 + 1e-6)*largest)
+            {
+                largest = extent;
+                result.row(found) = normal;
+            }
+        }
+    }
+
+    if (!plane.spatial())
+    {
+        result.row(1) = turned(result.row(0));
+        return result;
+    }
+    solvedVector second = result.row(1) - result.row(1).dot(result.row(0))*result.row(0);
+    result.row(1) = second.normalized();
+    const vector third =
+        plane.toVector(result.row(0)) ^ plane.toVector(result.row(1));
+    result.row(2) = plane(third);
+    return result;
+}
+
+
+//- Size of a cell along the directions of the mesh
 static cellSearch::size sizeOf
 (
     const fvMesh& mesh,
@@ -38,40 +98,16 @@ static cellSearch::size sizeOf
     const label celli
 )
 {
-    cellSearch::size result{vector2(1, 0), vector2(0, 0)};
-    scalar longest = 0;
-    for (const label facei : mesh.cells()[celli])
-    {
-        if
-        (
-            !mesh.isInternalFace(facei)
-         && !solvedDirections::cutsPlane
-            (
-                mesh.boundaryMesh()[mesh.boundaryMesh().whichPatch(facei)]
-            )
-        )
-        {
-            continue;
-        }
-        const Pair<vector2> ends
-        (
-            plane.ends(mesh.points(), mesh.faces()[facei])
-        );
-        const scalar length = (ends.second() - ends.first()).norm();
-        if (length > (1 + 1e-6)*longest)
-        {
-            longest = length;
-            result.direction = plane(mesh.faceAreas()[facei]).normalized();
-        }
-    }
+    cellSearch::size result;
+    result.directions = directionsOf(mesh, plane, celli);
 
-    vector2 low = vector2::Constant(GREAT);
-    vector2 high = -low;
+    solvedVector low = solvedVector::Constant(plane.size(), GREAT);
+    solvedVector high = -low;
     for (const label facei : mesh.cells()[celli])
     {
         for (const label pointi : mesh.faces()[facei])
         {
-            const vector2 x = result.components
+            const solvedVector x = result.components
             (
                 plane(mesh.points()[pointi] - mesh.cellCentres()[celli])
             );

@@ -60,10 +60,10 @@ Foam::capsule::periodicImages::periodicImages
     {
         for (const vector& v : list)
         {
-            const vector2 p =
+            const solvedVector p =
                 (directions(v).sum() < 0 ? -1 : 1)*directions(v);
-            bool known = false;
-            for (const vector2& q : periods_)
+            bool known = (p.norm() < 1e-12*mag(v));
+            for (const solvedVector& q : periods_)
             {
                 known =
                     known
@@ -89,14 +89,14 @@ Foam::capsule::periodicImages::periodicImages
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::capsule::vector2 Foam::capsule::periodicImages::image
+Foam::capsule::solvedVector Foam::capsule::periodicImages::image
 (
-    const vector2& x,
-    const vector2& centre
+    const solvedVector& x,
+    const solvedVector& centre
 ) const
 {
-    vector2 result = x;
-    for (const vector2& p : periods_)
+    solvedVector result = x;
+    for (const solvedVector& p : periods_)
     {
         result -= std::round((x - centre).dot(p)/p.squaredNorm())*p;
     }
@@ -104,21 +104,21 @@ Foam::capsule::vector2 Foam::capsule::periodicImages::image
 }
 
 
-Foam::List<Foam::capsule::vector2> Foam::capsule::periodicImages::images
+Foam::List<Foam::capsule::solvedVector> Foam::capsule::periodicImages::images
 (
-    const vector2& x,
-    const vector2& centre
+    const solvedVector& x,
+    const solvedVector& centre
 ) const
 {
-    List<vector2> result(1, image(x, centre));
-    for (const vector2& p : periods_)
+    List<solvedVector> result(1, image(x, centre));
+    for (const solvedVector& p : periods_)
     {
         const label n = result.size();
         for (const scalar side : {-1, 1})
         {
             for (label i = 0; i < n; ++i)
             {
-                result.append(vector2(result[i] + side*p));
+                result.append(solvedVector(result[i] + side*p));
             }
         }
     }

@@ -26,8 +26,8 @@ void Foam::capsule::solvedDirections::setPlane(const fvMesh& mesh)
         FatalErrorInFunction
             << "The mesh in " << mesh.boundaryMesh().objectPath() << " has "
             << mesh.nGeometricD() << " solved directions" << nl
-            << "    Membranes need a plane two-dimensional mesh, two opposite"
-            << " patches of type empty, or a wedge, two patches of type wedge."
+            << "    Permitted: two, with two opposite patches of type empty or a"
+            << " wedge, two patches of type wedge, or three."
             << exit(FatalError);
     }
     label nEmpty = 0;
@@ -130,6 +130,7 @@ void Foam::capsule::solvedDirections::setWedge(const fvMesh& mesh)
 
 Foam::capsule::solvedDirections::solvedDirections(const fvMesh& mesh)
 :
+    n_(2),
     first_(0),
     second_(1),
     across_(2),
@@ -145,6 +146,11 @@ Foam::capsule::solvedDirections::solvedDirections(const fvMesh& mesh)
     if (axisymmetric_)
     {
         setWedge(mesh);
+    }
+    else if (mesh.nGeometricD() == 3)
+    {
+        n_ = 3;
+        thickness_ = 1;
     }
     else
     {
@@ -166,6 +172,7 @@ Foam::capsule::solvedDirections::solvedDirections(const fvMesh& mesh)
 
 Foam::capsule::solvedDirections::solvedDirections(const solvedDirections& other)
 :
+    n_(other.n_),
     first_(other.first_),
     second_(other.second_),
     across_(other.across_),
@@ -197,6 +204,11 @@ Foam::tmp<Foam::scalarField> Foam::capsule::solvedDirections::widths
     scalarField& widths = twidths.ref();
     forAll(widths, celli)
     {
+        if (spatial())
+        {
+            widths[celli] = Foam::cbrt(widths[celli]);
+            continue;
+        }
         widths[celli] = Foam::sqrt
         (
             widths[celli]/thickness((*this)(mesh.cellCentres()[celli]))
@@ -209,6 +221,28 @@ Foam::tmp<Foam::scalarField> Foam::capsule::solvedDirections::widths
 bool Foam::capsule::solvedDirections::cutsPlane(const polyPatch& pp)
 {
     return !isA<emptyPolyPatch>(pp) && !isA<wedgePolyPatch>(pp);
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::solvedDirections::corners
+(
+    const pointField& points,
+    const face& f
+) const
+{
+    if (spatial())
+    {
+        nodalVectors result(f.size(), 3);
+        forAll(f, i)
+        {
+            result.row(i) = (*this)(points[f[i]]);
+        }
+        return result;
+    }
+    const Pair<vector2> ends(this->ends(points, f));
+    nodalVectors result(2, 2);
+    result << ends.first(), ends.second();
+    return result;
 }
 
 
@@ -263,7 +297,7 @@ Foam::capsule::nodalVectors Foam::capsule::solvedDirections::toNodes
     const vectorField& v
 ) const
 {
-    nodalVectors result(v.size(), 2);
+    nodalVectors result(v.size(), n_);
     forAll(v, i)
     {
         result.row(i) = (*this)(v[i]);

@@ -11,31 +11,47 @@ License
 #include "freeSpaceResponse.H"
 #include "lineResponse.H"
 #include "ringResponse.H"
+#include "surfaceResponse.H"
+#include "sphericalBasis.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 Foam::capsule::nodalMatrix Foam::capsule::freeSpaceResponse::singleLayer
 (
-    const closedSurface& curve,
+    const closedSurface& surface,
     const scalar mu
 )
 {
+    if (surface.spatial())
+    {
+        return surfaceResponse::singleLayer
+        (
+            surface.basis().spherical().harmonics(), surface.coefficients(), mu
+        );
+    }
     return
-        curve.axisymmetric()
-      ? ringResponse::singleLayer(curve, mu)
-      : lineResponse::singleLayer(curve, mu);
+        surface.axisymmetric()
+      ? ringResponse::singleLayer(surface, mu)
+      : lineResponse::singleLayer(surface, mu);
 }
 
 
 Foam::capsule::nodalMatrix Foam::capsule::freeSpaceResponse::adjointDoubleLayer
 (
-    const closedSurface& curve
+    const closedSurface& surface
 )
 {
+    if (surface.spatial())
+    {
+        return surfaceResponse::adjointDoubleLayer
+        (
+            surface.basis().spherical().harmonics(), surface.coefficients()
+        );
+    }
     return
-        curve.axisymmetric()
-      ? ringResponse::adjointDoubleLayer(curve)
-      : lineResponse::adjointDoubleLayer(curve);
+        surface.axisymmetric()
+      ? ringResponse::adjointDoubleLayer(surface)
+      : lineResponse::adjointDoubleLayer(surface);
 }
 
 

@@ -11,6 +11,7 @@ License
 #include "ringResponse.H"
 #include "ringIntegrals.H"
 #include "meridianWaves.H"
+#include "GaussRule.H"
 #include "DynamicList.H"
 
 using Foam::constant::mathematical::pi;
@@ -32,22 +33,15 @@ struct rulePoint
     scalar weight;
 };
 
-//- Rule of Gauss and Legendre on (0, 1), from its three-term recurrence:
-//  G. Golub and J. Welsch (1969), Mathematics of Computation 23, 221-230
-static List<rulePoint> GaussRule(const label n)
+//- Rule of Gauss and Legendre on (0, 1)
+static List<rulePoint> unitRule(const label n)
 {
-    nodalMatrix recurrence = nodalMatrix::Zero(n, n);
-    for (label k = 1; k < n; ++k)
-    {
-        recurrence(k, k - 1) = k/std::sqrt(4*sqr(scalar(k)) - 1);
-    }
-    const Eigen::SelfAdjointEigenSolver<nodalMatrix> solver(recurrence);
-
+    const GaussRule Gauss(n);
     List<rulePoint> rule(n);
     for (label k = 0; k < n; ++k)
     {
-        rule[k].offset = 0.5*(1 + solver.eigenvalues()(k));
-        rule[k].weight = sqr(solver.eigenvectors()(0, k));
+        rule[k].offset = 0.5*(1 + Gauss.node(k));
+        rule[k].weight = 0.5*Gauss.weight(k);
     }
     return rule;
 }
@@ -104,7 +98,7 @@ static nodalMatrix integrated(const closedSurface& curve, const Kernel& kernel)
 {
     const label n = curve.basis().nPacked();
     const scalar h = curve.basis().spacing();
-    const List<rulePoint> Gauss(GaussRule(12));
+    const List<rulePoint> Gauss(unitRule(12));
     meridianWaves waves(curve);
     meridianPoint point;
     nodalMatrix result = nodalMatrix::Zero(2*n, 2*n);

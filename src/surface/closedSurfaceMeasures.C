@@ -11,7 +11,15 @@ License
 #include "closedSurface.H"
 #include "mathematicalConstants.H"
 
+using Foam::constant::mathematical::pi;
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::capsule::closedSurface::meanRadius() const
+{
+    return spatial() ? std::sqrt(area()/(4*pi)) : perimeter()/(2*pi);
+}
+
 
 Foam::scalar Foam::capsule::closedSurface::volume() const
 {
@@ -20,7 +28,7 @@ Foam::scalar Foam::capsule::closedSurface::volume() const
     return
         axisymmetric()
       ? integral(nodalScalars(d.col(0).cwiseProduct(n_.col(0))))
-      : 0.5*integral(dot(d, n_));
+      : integral(dot(d, n_))/nComponents();
 }
 
 
@@ -31,7 +39,7 @@ const
 }
 
 
-Foam::capsule::vector2 Foam::capsule::closedSurface::flow
+Foam::capsule::solvedVector Foam::capsule::closedSurface::flow
 (
     const nodalVectors& U
 ) const
@@ -44,12 +52,12 @@ Foam::capsule::vector2 Foam::capsule::closedSurface::flow
 }
 
 
-Foam::capsule::vector2 Foam::capsule::closedSurface::centroid() const
+Foam::capsule::solvedVector Foam::capsule::closedSurface::centroid() const
 {
     // Divergence theorem, about the mean of the nodes so that a curve far from
-    // the origin loses no digits: in the plane for x_i x/3, the same however it
-    // is turned; along an axis for x^2/2
-    const vector2 origin = x_.colwise().mean();
+    // the origin loses no digits: for x_i x/(d + 1), the same however it is
+    // turned; along an axis for x^2/2
+    const solvedVector origin = x_.colwise().mean();
     const nodalVectors d = x_.rowwise() - origin;
 
     if (axisymmetric())
@@ -62,14 +70,18 @@ Foam::capsule::vector2 Foam::capsule::closedSurface::centroid() const
     }
 
     const nodalScalars dn = dot(d, n_);
-    return origin + integrals(scaled(dn, d))/(3*0.5*integral(dn));
+    return
+        origin
+      + integrals(scaled(dn, d))
+       /((nComponents() + 1)*(integral(dn)/nComponents()));
 }
 
 
-Eigen::Matrix<Foam::scalar, 3, 1>
+Foam::capsule::solvedTensor
 Foam::capsule::closedSurface::secondMoments() const
 {
     const nodalVectors d = x_.rowwise() - centroid();
+    solvedTensor result(nComponents(), nComponents());
 
     if (axisymmetric())
     {
@@ -77,91 +89,105 @@ Foam::capsule::closedSurface::secondMoments() const
         // the axis, for x r^2/2
         const nodalScalars x = d.col(0);
         const nodalScalars xn = x.cwiseProduct(n_.col(0));
-        return Eigen::Matrix<scalar, 3, 1>
-        (
-            integral(nodalScalars(x.cwiseAbs2().cwiseProduct(xn)))/3,
-            0,
-            integral(nodalScalars(c_.cwiseAbs2().cwiseProduct(xn)))/2
-        );
+        result.setZero();
+        result(0, 0) = integral(nodalScalars(x.cwiseAbs2().cwiseProduct(xn)))/3;
+        result(1, 1) =
+            integral(nodalScalars(c_.cwiseAbs2().cwiseProduct(xn)))/2;
+        return result;
     }
 
-    // Divergence theorem for x_i x_j x/4
-    const nodalScalars dn = dot(d, n_)/4;
-    const auto moment = [&](const label i, const label j)
+    // Divergence theorem for x_i x_j x/(d + 2)
+    const nodalScalars dn = dot(d, n_)/(nComponents() + 2);
+    for (label i = 0; i < nComponents(); ++i)
     {
-        return integral
-        (
-            nodalScalars(d.col(i).cwiseProduct(d.col(j)).cwiseProduct(dn))
-        );
-    };
-    return Eigen::Matrix<scalar, 3, 1>(moment(0, 0), moment(0, 1), moment(1, 1));
+        for (label j = 0; j <= i; ++j)
+        {
+            result(i, j) = result(j, i) = integral
+            (
+                nodalScalars(d.col(i).cwiseProduct(d.col(j)).cwiseProduct(dn))
+            );
+        }
+    }
+    return result;
+}
+
+
+Foam::capsule::solvedVector Foam::capsule::closedSurface::semiAxes() const
+{
+    // Second moments are proportional to the squares of the axes
+    const solvedTensor m = secondMoments();
+    solvedVector squares;
+    if (spatial())
+    {
+        squares =
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix<scalar, 3, 3>>(m)
+           .eigenvalues().reverse().transpose();
+    }
+    else
+    {
+        const scalar mean = 0.5*(m(0, 0) + m(1, 1));
+        const scalar spread = std::hypot(0.5*(m(0, 0) - m(1, 1)), m(0, 1));
+        squares = vector2(mean + spread, mean - spread);
+    }
+
+    if (!(squares.minCoeff() > 0))
+    {
+        return solvedVector();
+    }
+    const solvedVector axes = squares.cwiseSqrt();
+    scalar unit = pi*axes.prod();
+    if (spatial())
+    {
+        unit *= 4.0/3;
+        return axes*std::cbrt(volume()/unit);
+    }
+    if (axisymmetric())
+    {
+        const bool prolate = (m(0, 0) > m(1, 1));
+        unit *= 4.0/3*axes(prolate ? 1 : 0);
+        return axes*std::cbrt(volume()/unit);
+    }
+    return axes*std::sqrt(volume()/unit);
 }
 
 
 Foam::scalar Foam::capsule::closedSurface::taylorDeformation() const
 {
-    // Principal moments are proportional to L^3 B and L B^3: their ratio is
-    // (L/B)^2
-    const Eigen::Matrix<scalar, 3, 1> m = secondMoments();
-    const scalar mean = 0.5*(m(0) + m(2));
-    const scalar spread = std::hypot(0.5*(m(0) - m(2)), m(1));
-    if (mean <= spread)
+    const solvedVector axes = semiAxes();
+    if (axes.size() == 0)
     {
         // Crossed by itself, or a line
         return 1;
     }
-    const scalar ratio = std::sqrt((mean + spread)/(mean - spread));
+    const scalar ratio = axes(0)/axes(axes.size() - 1);
     return (ratio - 1)/(ratio + 1);
 }
 
 
 Foam::scalar Foam::capsule::closedSurface::inclination() const
 {
-    const Eigen::Matrix<scalar, 3, 1> m = secondMoments();
-    const scalar size = mag(m(0)) + mag(m(2));
-    const scalar spread = m(0) - m(2);
-    if (std::hypot(spread, 2*m(1)) <= 1e-6*size)
+    const solvedTensor m = secondMoments();
+    const scalar size = m.diagonal().cwiseAbs().sum();
+    scalar twice[2] = {m(0, 0) - m(1, 1), 2*m(0, 1)};
+    if (spatial())
+    {
+        const vector2 axis =
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix<scalar, 3, 3>>(m)
+           .eigenvectors().col(2).head<2>().transpose();
+        if (m.diagonal().maxCoeff() - m.diagonal().minCoeff() > 1e-6*size)
+        {
+            twice[0] = size*(sqr(axis(0)) - sqr(axis(1)));
+            twice[1] = size*2*axis(0)*axis(1);
+        }
+    }
+    if (std::hypot(twice[0], twice[1]) <= 1e-6*size)
     {
         return 0;
     }
+
     // What rounding leaves must not turn an axis along the second direction
     // from 90 to -90 degrees
-    return 0.5*std::atan2(mag(m(1)) > 1e-10*size ? 2*m(1) : 0, spread);
-}
-
-
-Foam::capsule::vector2 Foam::capsule::closedSurface::extents() const
-{
-    vector2 result;
-    for (label i = 0; i < 2; ++i)
-    {
-        // From the extreme sample to the extreme of the curve by Newton
-        // iteration on the derivative
-        const label m = 8*size();
-        const nodalVectors x = sampled(m);
-        scalar extreme[2];
-
-        for (label side = 0; side < 2; ++side)
-        {
-            Eigen::Index k;
-            side ? x.col(i).maxCoeff(&k) : x.col(i).minCoeff(&k);
-            const scalar step = constant::mathematical::twoPi/m;
-            scalar alpha = k*step;
-            for (label iter = 0; iter < 4; ++iter)
-            {
-                const scalar slope = point(alpha, 1)(i);
-                const scalar bend = point(alpha, 2)(i);
-                if ((side ? -bend : bend) <= 0)
-                {
-                    break;
-                }
-                alpha -= std::max(-step, std::min(step, slope/bend));
-            }
-            extreme[side] = point(alpha)(i);
-        }
-        result(i) = extreme[1] - extreme[0];
-    }
-    return result;
+    return 0.5*std::atan2(mag(twice[1]) > 2e-10*size ? twice[1] : 0, twice[0]);
 }
 
 

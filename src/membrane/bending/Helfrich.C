@@ -220,6 +220,16 @@ void Foam::capsule::bendingModels::Helfrich::addSecondChange
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::autoPtr<Foam::capsule::surfaceBending>
+Foam::capsule::bendingModels::Helfrich::inSpace() const
+{
+    return autoPtr<surfaceBending>
+    (
+        new surfaceBending(modulus_, initial_, uniform_)
+    );
+}
+
+
 void Foam::capsule::bendingModels::Helfrich::setReference
 (
     const closedSurface& curve

@@ -94,3 +94,28 @@ Foam::capsule::nodalScalars Foam::capsule::elasticLaws::Hookean::crossStiffness
         modulus_
        *((ratio_ - (l1.array() - 1))/l2.array().square()).matrix();
 }
+
+
+Foam::capsule::secondPiolaStress Foam::capsule::elasticLaws::Hookean::stress
+(
+    const nodalScalars& I,
+    const nodalScalars& J
+) const
+{
+    // With s = l1 + l2 = (I + 2 J)^(1/2):
+    //     W = E/2 [(s - 2)^2 - 2 (1 - nu) (J - s + 1)],
+    //     alpha = E [1 - (1 + nu)/s], beta = E J [nu - (1 + nu)/s]
+    const nodalScalars s = (I + 2*J).cwiseSqrt();
+    const nodalScalars perSum = (modulus_*(1 + ratio_))*s.cwiseInverse();
+
+    secondPiolaStress result(J.size());
+    result.alpha = modulus_ - perSum.array();
+    result.beta = J.array()*(modulus_*ratio_ - perSum.array());
+    result.alphaJ = perSum.array()/s.array().square();
+    result.alphaI = 0.5*result.alphaJ;
+    result.betaI = 0.5*J.cwiseProduct(result.alphaJ);
+    result.betaJ =
+        modulus_*ratio_ - perSum.array() + J.array()*result.alphaJ.array();
+
+    return result;
+}

@@ -107,3 +107,22 @@ Foam::capsule::nodalScalars Foam::capsule::elasticLaws::Skalak::crossStiffness
           - l1.array()*(l1.array().square() - 1)/l2.array().square()
         ).matrix();
 }
+
+
+Foam::capsule::secondPiolaStress Foam::capsule::elasticLaws::Skalak::stress
+(
+    const nodalScalars& I,
+    const nodalScalars& J
+) const
+{
+    // alpha = G (I - 1), beta = G J^2 (C (J^2 - 1) - 1)
+    const nodalScalars J2 = J.cwiseAbs2();
+
+    secondPiolaStress result(J.size());
+    result.alpha = shearModulus_*(I.array() - 1);
+    result.beta = shearModulus_*J2.array()*(C_*(J2.array() - 1) - 1);
+    result.alphaI.setConstant(shearModulus_);
+    result.betaJ = 2*shearModulus_*J.array()*(C_*(2*J2.array() - 1) - 1);
+
+    return result;
+}

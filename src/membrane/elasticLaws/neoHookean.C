@@ -42,7 +42,8 @@ bool Foam::capsule::elasticLaws::neoHookean::incompressible
     {
         FatalIOErrorInFunction(dict)
             << "Entry " << entry << " is " << (found ? form : word("missing"))
-            << "; permitted" << (plane ? "" : ", in a wedge without a default")
+            << "; permitted"
+            << (plane ? "" : ", without a default")
             << ": publication, T_i = E_s (l_i^2 - 1), or incompressible,"
             << " T1 = G (l1/l2 - (l1 l2)^-3)"
             << exit(FatalIOError);
@@ -159,4 +160,30 @@ Foam::capsule::elasticLaws::neoHookean::crossStiffness
             3*(product.cube()*l2.array()).inverse()
           - l1.array()/l2.array().square()
         ).matrix();
+}
+
+
+Foam::capsule::secondPiolaStress Foam::capsule::elasticLaws::neoHookean::stress
+(
+    const nodalScalars&,
+    const nodalScalars& J
+) const
+{
+    // alpha = G, beta = -G/J^2; the publication's T_i are those of
+    // alpha = -beta = E_s J
+    secondPiolaStress result(J.size());
+    if (incompressible_)
+    {
+        result.alpha.setConstant(shearModulus_);
+        result.beta = -shearModulus_*J.array().square().inverse();
+        result.betaJ = 2*shearModulus_*J.array().cube().inverse();
+    }
+    else
+    {
+        result.alpha = shearModulus_*J;
+        result.beta = -result.alpha;
+        result.alphaJ.setConstant(shearModulus_);
+        result.betaJ.setConstant(-shearModulus_);
+    }
+    return result;
 }

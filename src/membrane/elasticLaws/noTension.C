@@ -67,3 +67,13 @@ Foam::capsule::elasticLaws::noTension::crossStiffness
 {
     return nodalScalars::Zero(l1.size());
 }
+
+
+Foam::capsule::secondPiolaStress Foam::capsule::elasticLaws::noTension::stress
+(
+    const nodalScalars&,
+    const nodalScalars& J
+) const
+{
+    return secondPiolaStress(J.size());
+}

@@ -81,3 +81,19 @@ Foam::capsule::elasticLaws::surfaceTension::crossStiffness
 {
     return nodalScalars::Zero(l1.size());
 }
+
+
+Foam::capsule::secondPiolaStress
+Foam::capsule::elasticLaws::surfaceTension::stress
+(
+    const nodalScalars&,
+    const nodalScalars& J
+) const
+{
+    // W = T J
+    secondPiolaStress result(J.size());
+    result.beta = surfaceTension_*J;
+    result.betaJ.setConstant(surfaceTension_);
+
+    return result;
+}

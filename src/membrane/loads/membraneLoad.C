@@ -33,14 +33,6 @@ Foam::autoPtr<Foam::capsule::membraneLoad> Foam::capsule::membraneLoad::New
 {
     const word type(input::get<word>(dict, "type"));
 
-    if (!dictionaryConstructorTablePtr_)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry type of load is " << type << ", but no library that is"
-            << " loaded (libs in system/controlDict) has loads of membranes"
-            << exit(FatalIOError);
-    }
-
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
     if (!cstrIter.found())
     {

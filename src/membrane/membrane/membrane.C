@@ -9,7 +9,11 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membrane.H"
+#include "curveShape.H"
+#include "spatialShape.H"
+#include "sphericalBasis.H"
 #include "meshBoundary.H"
+#include "mathematicalConstants.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -18,12 +22,14 @@ const Foam::scalar Foam::capsule::membrane::pointsPerCell = 1.4;
 
 const Foam::scalar Foam::capsule::membrane::widestSpacing = 4;
 
+const Foam::label Foam::capsule::membrane::leastDegree = 2;
+const Foam::label Foam::capsule::membrane::greatestDegree = 32;
 const Foam::scalar Foam::capsule::membrane::leastAcross = 2;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::capsule::membrane::perimeterInCells
+Foam::scalar Foam::capsule::membrane::radiusInCells
 (
     const membraneShape& shape,
     const dictionary& dict,
@@ -31,10 +37,23 @@ Foam::scalar Foam::capsule::membrane::perimeterInCells
     const scalar width
 ) const
 {
-    const nodalVectors outline = shape.outline();
+    nodalVectors outline;
+    nodalVectors normals;
+    shape.outline(outline, normals);
+    const nodalScalars sizes = normals.rowwise().norm();
+
     const meshBoundary& boundary = meshBoundary::New(mesh);
     const label outside = boundary.firstOutside(outline);
-    const word enclosed(outside < 0 ? boundary.enclosed(outline) : word());
+    const word enclosed
+    (
+        outside >= 0 ? word()
+      : boundary.enclosed
+        (
+            plane_.spatial()
+          ? surfaceSamples(outline, scaled(sizes.cwiseInverse(), normals))
+          : surfaceSamples(outline)
+        )
+    );
     if (outside >= 0 || !enclosed.empty())
     {
         FatalIOErrorInFunction(dict)
@@ -57,18 +76,12 @@ Foam::scalar Foam::capsule::membrane::perimeterInCells
             << flatOutput(dict.toc()) << " of shape" << exit(FatalIOError);
     }
 
-    scalar area = 0;
-    scalar perimeter = 0;
-    for (label i = 0; i < outline.rows(); ++i)
-    {
-        const vector2 a = outline.row(i);
-        const vector2 b = outline.row((i + 1) % outline.rows());
-        area += 0.5*(a(0)*b(1) - a(1)*b(0));
-        perimeter += (b - a).norm();
-    }
-
-    // Four times the area over the perimeter: the diameter of a circle
-    const scalar across = 4*area/max(perimeter, SMALL*width)/width;
+    // Twice the number of dimensions times what it encloses over its length or
+    // area: the diameter of a circle or a sphere
+    const scalar size = sizes.sum();
+    const scalar across =
+        2*dot(outline.rowwise() - outline.colwise().mean(), normals).sum()
+       /max(size, VSMALL)/width;
     if (!(across >= leastAcross))
     {
         FatalIOErrorInFunction(dict)
@@ -78,7 +91,8 @@ Foam::scalar Foam::capsule::membrane::perimeterInCells
             << " of shape, or refine the mesh"
             << exit(FatalIOError);
     }
-    return perimeter/width;
+    const scalar pi = constant::mathematical::pi;
+    return (plane_.spatial() ? Foam::sqrt(size/(4*pi)) : size/(2*pi))/width;
 }
 
 
@@ -88,6 +102,12 @@ Foam::label Foam::capsule::membrane::nPoints
     const scalar cells
 ) const
 {
+    if (dict.found("degree"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry degree is for membranes in space; permitted for membrane "
+            << name_ << ": points" << exit(FatalIOError);
+    }
     const label odd = max(label(25), 2*label(0.5*pointsPerCell*cells) + 1);
     const label n = input::getOrDefault<label>
     (
@@ -120,6 +140,54 @@ Foam::label Foam::capsule::membrane::nPoints
 }
 
 
+Foam::label Foam::capsule::membrane::degree
+(
+    const dictionary& dict,
+    const scalar cells
+) const
+{
+    if (dict.found("points"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry points is for membranes in a plane or a wedge; permitted"
+            << " for membrane " << name_ << ": degree" << exit(FatalIOError);
+    }
+    if (!dict.found("degree"))
+    {
+        return max(label(8), min(label(20), label(std::ceil(cells))));
+    }
+    return input::getBetween<label>
+    (
+        dict, "degree", leastDegree, greatestDegree
+    );
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::membrane::setBasis
+(
+    const membraneShape& shape,
+    const dictionary& dict,
+    const scalar radius
+)
+{
+    if (!plane_.spatial())
+    {
+        basis_ = surfaceBasis::New
+        (
+            plane_, nPoints(dict, constant::mathematical::twoPi*radius)
+        );
+        return refCast<const curveShape>(shape).nodes(basis_->curve());
+    }
+    const label p = degree(dict, radius);
+    auto basis = autoPtr<sphericalBasis>(new sphericalBasis(p, (3*p + 1)/2));
+    const nodalVectors X =
+        refCast<const spatialShape>(shape).coefficients(basis->harmonics());
+    const nodalVectors x = basis->grid().values().leftCols(X.rows())*X;
+    basis_.reset(basis.release());
+    return x;
+}
+
+
 void Foam::capsule::membrane::setInitial
 (
     const closedSurface& initial,
@@ -128,22 +196,27 @@ void Foam::capsule::membrane::setInitial
 )
 {
     const scalar stretch = shape.initialStretch();
-    if (stretch != 1 && !mechanics_.law().knowsReference())
+    if (stretch != 1 && !mechanics_->law().knowsReference())
     {
         FatalIOErrorInFunction(dict)
             << "Entry initialStretch is " << stretch << ", but the tension of"
-            << " the elastic law " << mechanics_.law().type()
+            << " the elastic law " << mechanics_->law().type()
             << " of membrane " << name_ << " does not depend on the stretch;"
             << " permitted: 1, or no entry" << exit(FatalIOError);
     }
-    mechanics_.setReference(initial, stretch);
+    mechanics_->setReference(initial, stretch);
+    if (load_.valid())
+    {
+        load_->setReference(initial);
+    }
     referenceVolume_ = initial.volume();
 
     now_.x = now_.interface = initial.nodes();
     now_.force = force(initial, initial.areaElement());
-    now_.inertia.setZero(size(), 2);
-    now_.inner.setZero(size(), 2);
-    now_.velocity.setZero(size(), 2);
+    now_.inertia.setZero(size(), plane_.size());
+    now_.vorticity.setZero(size(), plane_.size());
+    now_.pressure.setZero(size());
+    now_.velocity.setZero(size(), plane_.size());
 }
 
 
@@ -162,8 +235,7 @@ Foam::capsule::membrane::membrane
     viscosity_
     (
         input::getPositive(dict, "viscosity", dimPressure*dimTime, "Pa s")
-    ),
-    mechanics_(dict, !plane.axisymmetric())
+    )
 {
     input::permit
     (
@@ -175,6 +247,7 @@ Foam::capsule::membrane::membrane
             "bending",
             "load",
             "points",
+            "degree",
             "levelSet"
         }
     );
@@ -182,24 +255,31 @@ Foam::capsule::membrane::membrane
     const dictionary& shapeDict = input::subDict(dict, "shape");
     const autoPtr<membraneShape> shape(membraneShape::New(shapeDict, plane));
     const scalar width = gMin(plane.widths(mesh)());
-    const label n =
-        nPoints(dict, perimeterInCells(*shape, shapeDict, mesh, width));
-
-    basis_ = surfaceBasis::New(plane, n);
-
+    const scalar radius = radiusInCells(*shape, shapeDict, mesh, width);
+    const nodalVectors nodes = setBasis(*shape, dict, radius);
+    mechanics_ = membraneMechanics::New(dict, *basis_);
     if (dict.found("load"))
     {
         load_ = membraneLoad::New(input::subDict(dict, "load"), mesh);
     }
 
-    const closedSurface initial(*basis_, shape->nodes(*basis_));
-    setInitial(initial, *shape, shapeDict);
-
+    setInitial(closedSurface(*basis_, nodes), *shape, shapeDict);
     if (!readState(dict.topDict(), mesh.time()))
     {
-        Info<< "Membrane " << name_ << ": starts as " << shape->type()
-            << ", " << n << " points, " << initial.perimeter()/n/width
-            << " cell widths apart";
+        Info<< "Membrane " << name_ << ": starts as "
+            << input::get<word>(shapeDict, "type") << ", ";
+        if (basis_->spatial())
+        {
+            const sphericalBasis& basis = basis_->spherical();
+            Info<< "degree " << basis.harmonics().degree() << ", " << size()
+                << " nodes, radius " << radius << " cell widths";
+        }
+        else
+        {
+            Info<< size() << " points, "
+                << constant::mathematical::twoPi*radius/size()
+                << " cell widths apart";
+        }
         if (shape->initialStretch() != 1)
         {
             Info<< ", stretched by " << shape->initialStretch();
@@ -213,23 +293,23 @@ Foam::capsule::membrane::membrane
 
 Foam::capsule::nodalScalars Foam::capsule::membrane::power
 (
-    const closedSurface& curve
+    const closedSurface& surface
 ) const
 {
-    return dot(force(curve, curve.areaElement()), now_.velocity);
+    return dot(force(surface, surface.areaElement()), now_.velocity);
 }
 
 
 Foam::capsule::nodalVectors Foam::capsule::membrane::force
 (
-    const closedSurface& curve,
+    const closedSurface& surface,
     const nodalScalars& areaElement
 ) const
 {
-    nodalVectors perParameters = mechanics_.force(curve);
+    nodalVectors perParameters = mechanics_->force(surface);
     if (load_.valid())
     {
-        perParameters += scaled(curve.areaElement(), load_->force(curve));
+        perParameters += scaled(surface.areaElement(), load_->force(surface));
     }
     return areaElement.cwiseInverse().asDiagonal()*perParameters;
 }

@@ -43,8 +43,8 @@ static IOobject fieldOf(const passiveParticleCloud& cloud, const word& name)
 
 void Foam::capsule::membrane::writeCloud(const fvMesh& mesh) const
 {
-    const closedSurface now(curve());
-    nodalVectors wrapped(now.nodes().topRows(basis_->nPacked()));
+    const closedSurface now(surface());
+    nodalVectors wrapped(now.nodes().topRows(basis_->nCounted()));
     for (Eigen::Index i = 0; i < wrapped.rows(); ++i)
     {
         wrapped.row(i) = plane_.images().wrapped(now.nodes().row(i));
@@ -87,11 +87,17 @@ void Foam::capsule::membrane::writeCloud(const fvMesh& mesh) const
     };
     writeVectors("velocity", now_.velocity);
     writeVectors("force", force(now, now.areaElement()));
-    writeScalars("stretch", stretch(now));
-    writeScalars("tension", tension(now));
+    const membraneMechanics::principalValues p = principal(now);
+    writeScalars("stretch", p.l1);
+    writeScalars("tension", p.T1);
     if (plane_.axisymmetric())
     {
-        writeScalars("hoopStretch", secondStretch(now));
-        writeScalars("hoopTension", secondTension(now));
+        writeScalars("hoopStretch", p.l2);
+        writeScalars("hoopTension", p.T2);
+    }
+    else if (plane_.spatial())
+    {
+        writeScalars("secondStretch", p.l2);
+        writeScalars("secondTension", p.T2);
     }
 }

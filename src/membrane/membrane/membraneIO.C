@@ -55,8 +55,11 @@ stateFields[] =
     {"force", &membrane::state::force},
     {"inertia", &membrane::state::inertia},
     {"velocity", &membrane::state::velocity},
-    {"inner", &membrane::state::inner}
+    {"vorticity", &membrane::state::vorticity}
 };
+
+//- Version of the file: the first had vorticity and pressure in one field
+static const label stateVersion = 2;
 
 
 //- Digest of the fields of all time levels, by which damage is found
@@ -75,6 +78,14 @@ public:
     void add(const scalar x)
     {
         os_ << (mag(x) > VSMALL ? x : 0) << ' ';
+    }
+
+    void add(const scalarField& field)
+    {
+        for (const scalar x : field)
+        {
+            add(x);
+        }
     }
 
     void add(const vectorField& field)
@@ -122,6 +133,7 @@ public:
     virtual bool writeData(Ostream& os) const
     {
         stateDigest digest;
+        os.writeEntry("version", stateVersion);
         os.writeEntry("oldLevels", membrane_.nOld());
         for (label i = 0; i <= membrane_.nOld(); ++i)
         {
@@ -136,6 +148,16 @@ public:
                 const UList<vector>& list = field;
                 list.writeEntry(entry.name, os);
             }
+            const scalarField pressure
+            (
+                UList<scalar>
+                (
+                    const_cast<scalar*>(s.pressure.data()), s.pressure.size()
+                )
+            );
+            digest.add(pressure);
+            const UList<scalar>& list = pressure;
+            list.writeEntry("pressure", os);
             os.endBlock();
         }
         os.writeEntry("digest", digest.str());
@@ -223,8 +245,25 @@ bool Foam::capsule::membrane::readState
     );
     untrapped.restore();
     const IOdictionary& dict = *file;
-    stateDigest digest;
+    const label version = input::getOrDefault<label>(dict, "version", 1);
+    if (version != stateVersion)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry version is " << version << ": the state of membrane "
+            << name_ << " is that of another version of the program; permitted: "
+            << stateVersion << exit(FatalIOError);
+    }
 
+    stateDigest digest;
+    const auto check = [&](const dictionary& in, const word& name, const label n)
+    {
+        if (n != size())
+        {
+            FatalIOErrorInFunction(in)
+                << "Entry " << name << " has " << n << " points, but membrane "
+                << name_ << " has " << size() << exit(FatalIOError);
+        }
+    };
     const auto read = [&](const label i)
     {
         const dictionary& level =
@@ -236,16 +275,15 @@ bool Foam::capsule::membrane::readState
             (
                 input::get<vectorField>(level, entry.name)
             );
-            if (field.size() != size())
-            {
-                FatalIOErrorInFunction(level)
-                    << "Entry " << entry.name << " has " << field.size()
-                    << " points, but membrane " << name_ << " has " << size()
-                    << exit(FatalIOError);
-            }
+            check(level, entry.name, field.size());
             digest.add(field);
             s.*entry.field = plane_.toNodes(field);
         }
+        const scalarField pressure(input::get<scalarField>(level, "pressure"));
+        check(level, "pressure", pressure.size());
+        digest.add(pressure);
+        s.pressure =
+            Eigen::Map<const nodalScalars>(pressure.cdata(), pressure.size());
         return s;
     };
 

@@ -8,10 +8,9 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "membraneShape.H"
+#include "curveShape.H"
+#include "spatialShape.H"
 #include "dimensionSets.H"
-#include "unitConversion.H"
-#include "mathematicalConstants.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -20,31 +19,7 @@ namespace Foam
 namespace capsule
 {
     defineTypeNameAndDebug(membraneShape, 0);
-    defineRunTimeSelectionTable(membraneShape, dictionary);
 }
-}
-
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::capsule::membraneShape::setOnAxis
-(
-    const dictionary& dict,
-    const solvedDirections& plane
-)
-{
-    // The axis follows from the patches, with their rounding
-    const scalar length =
-        (local(0) - local(constant::mathematical::pi)).norm();
-    const vector2 onAxis(centre_(0), plane.axisAt());
-    if (mag(plane.radius(centre_)) > 1e-6*length)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry centre is " << input::get<point>(dict, "centre")
-            << ", but in a wedge the centre must be on the axis: permitted is "
-            << plane.toPoint(onAxis) << exit(FatalIOError);
-    }
-    centre_ = onAxis;
 }
 
 
@@ -53,18 +28,11 @@ void Foam::capsule::membraneShape::setOnAxis
 Foam::capsule::membraneShape::membraneShape
 (
     const dictionary& dict,
-    const solvedDirections& plane,
-    const wordList& own
+    const solvedDirections& directions,
+    const wordList& others
 )
 :
-    centre_(plane(input::get<point>(dict, "centre"))),
-    angle_(0),
-    cos_(1),
-    sin_(0),
-    clustering_
-    (
-        input::getBetweenOrDefault<scalar>(dict, "clustering", 0, -0.8, 0.8)
-    ),
+    centre_(directions(input::get<point>(dict, "centre"))),
     initialStretch_
     (
         input::getBetweenOrDefault<scalar>(dict, "initialStretch", 1, 0.2, 5)
@@ -73,83 +41,25 @@ Foam::capsule::membraneShape::membraneShape
     input::permit
     (
         dict,
-        input::joined
-        (
-            {"type", "centre", "angle", "clustering", "initialStretch"},
-            own
-        )
+        input::joined({"type", "centre", "initialStretch"}, others)
     );
-
-    angle_ = degToRad
-    (
-        input::getBetweenOrDefault<scalar>(dict, "angle", 0, -360, 360)
-    );
-    cos_ = std::cos(angle_);
-    sin_ = std::sin(angle_);
-    if (plane.axisymmetric())
-    {
-        const scalar degrees = input::getOrDefault<scalar>(dict, "angle", 0);
-        if (degrees != 0 && degrees != 180)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry angle is " << degrees << "; permitted in a wedge,"
-                << " where shapes are of revolution about the axis: 0, 180"
-                << exit(FatalIOError);
-        }
-        cos_ = (degrees == 0 ? 1 : -1);
-        sin_ = 0;
-    }
 }
 
 
 Foam::autoPtr<Foam::capsule::membraneShape> Foam::capsule::membraneShape::New
 (
     const dictionary& dict,
-    const solvedDirections& plane
+    const solvedDirections& directions
 )
 {
-    const word type(input::get<word>(dict, "type"));
-
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
-
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            dict,
-            "membrane shape",
-            type,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
-
-    autoPtr<membraneShape> shape(cstrIter()(dict, plane));
-    if (plane.axisymmetric())
-    {
-        shape->setOnAxis(dict, plane);
-    }
-    return shape;
+    return
+        directions.spatial()
+      ? autoPtr<membraneShape>(spatialShape::New(dict, directions))
+      : autoPtr<membraneShape>(curveShape::New(dict, directions));
 }
 
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
-
-void Foam::capsule::membraneShape::needWedge
-(
-    const dictionary& dict,
-    const solvedDirections& plane,
-    const char* permitted
-)
-{
-    if (!plane.axisymmetric())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry type is " << input::get<word>(dict, "type")
-            << ", a shape of a wedge; in this plane mesh permitted: "
-            << permitted << exit(FatalIOError);
-    }
-}
-
 
 Foam::scalar Foam::capsule::membraneShape::length
 (
@@ -161,82 +71,14 @@ Foam::scalar Foam::capsule::membraneShape::length
 }
 
 
-Foam::capsule::vector2 Foam::capsule::membraneShape::placed
-(
-    const vector2& p
-) const
+Foam::fileName Foam::capsule::membraneShape::fileEntry(const dictionary& dict)
 {
-    return centre_ + vector2
-    (
-        cos_*p(0) - sin_*p(1),
-        sin_*p(0) + cos_*p(1)
-    );
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::capsule::nodalVectors Foam::capsule::membraneShape::nodes
-(
-    const surfaceBasis& basis
-) const
-{
-    // A fine trigonometric curve in chi, whose arc length is then inverted:
-    // the series of the metric is integrated term by term
-    static const surfaceBasis fine(513);
-    nodalVectors x(fine.size(), 2);
-    for (label i = 0; i < fine.size(); ++i)
+    const string name(input::get<string>(dict, "file").expand());
+    if (!string::valid<fileName>(name))
     {
-        x.row(i) = local(fine.alpha(i));
+        FatalIOErrorInFunction(dict)
+            << "Entry file is " << name << "; it must be the name of a file"
+            << exit(FatalIOError);
     }
-    const closedSurface curve(fine, x);
-    const nodalScalars g = fine.analysis()*curve.metric();
-
-    const auto arcLength = [&](const scalar chi)
-    {
-        scalar s = g(0)*chi;
-        const nodalScalars f = fine.functions(chi);
-        for (label i = 1; i < fine.size(); i += 2)
-        {
-            const scalar k = (i + 1)/2;
-            s += (g(i)*f(i + 1) - g(i + 1)*(f(i) - 1))/k;
-        }
-        return s;
-    };
-
-    // In a wedge the curve starts at the pole that the rotation brings first
-    const bool revolved = basis.axisymmetric();
-    const scalar first = basis.start() + (revolved ? angle_ : 0);
-
-    nodalVectors result(basis.size(), 2);
-    for (label j = 0; j < basis.size(); ++j)
-    {
-        const scalar alpha = first + basis.alpha(j);
-        const scalar target = g(0)*(alpha - 0.5*clustering_*std::sin(2*alpha));
-        scalar chi = alpha;
-        for (label iter = 0; iter < 50; ++iter)
-        {
-            const scalar step =
-                (arcLength(chi) - target)/fine.functions(chi).dot(g);
-            chi -= step;
-            if (mag(step) < 1e-13)
-            {
-                break;
-            }
-        }
-        result.row(j) = placed(local(chi));
-    }
-    return basis.symmetric(result);
-}
-
-
-Foam::capsule::nodalVectors Foam::capsule::membraneShape::outline() const
-{
-    const label n = 513;
-    nodalVectors result(n, 2);
-    for (label i = 0; i < n; ++i)
-    {
-        result.row(i) = placed(local(i*constant::mathematical::twoPi/n));
-    }
-    return result;
+    return fileName(name);
 }

@@ -23,7 +23,7 @@ Foam::capsule::axisymmetricBasis::axisymmetricBasis
     const scalar axis
 )
 :
-    surfaceBasis(n),
+    curveBasis(n),
     axis_(axis)
 {
     if (n % 2)
@@ -47,6 +47,23 @@ Foam::capsule::axisymmetricBasis::axisymmetricBasis
         weights_(j) = pi*sum;
         weights_(n - 1 - j) = -pi*sum;
     }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::capsule::nodalMatrix Foam::capsule::axisymmetricBasis::folded
+(
+    const nodalMatrix& m,
+    const label component
+) const
+{
+    // Rows of the nodes that count; columns of mirror images added to theirs
+    const label n = nPacked();
+
+    return
+        m.topLeftCorner(n, n)
+      + (component == 0 ? 1 : -1)*m.topRightCorner(n, n).rowwise().reverse();
 }
 
 
@@ -91,15 +108,11 @@ Foam::capsule::nodalVectors Foam::capsule::axisymmetricBasis::unpack
 
 Foam::capsule::nodalMatrix Foam::capsule::axisymmetricBasis::reduced
 (
-    const nodalMatrix& m,
+    const nodalFilter& filter,
     const label component
 ) const
 {
-    // Rows of the nodes that count; columns of mirror images added to theirs
-    const label n = nPacked();
-    return
-        m.topLeftCorner(n, n)
-      + (component == 0 ? 1 : -1)*m.topRightCorner(n, n).rowwise().reverse();
+    return folded(curveBasis::reduced(filter, component), component);
 }
 
 
@@ -115,7 +128,7 @@ Foam::capsule::nodalMatrix Foam::capsule::axisymmetricBasis::reduced
         for (label j = 0; j < 2; ++j)
         {
             result.block(i*n, j*n, n, n) =
-                reduced(m.block(i*2*n, j*2*n, 2*n, 2*n), j);
+                folded(m.block(i*2*n, j*2*n, 2*n, 2*n), j);
         }
     }
     return result;

@@ -16,7 +16,6 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-#include "closedSurface.H"
 #include "bendingModel.H"
 #include "freeSpaceResponse.H"
 #include "membraneMotion.H"
@@ -40,7 +39,7 @@ static void check(const char* what, const scalar value, const scalar bound)
 
 static nodalVectors ellipse
 (
-    const surfaceBasis& basis,
+    const curveBasis& basis,
     const scalar a,
     const scalar b
 )
@@ -60,7 +59,7 @@ int main()
     scalar last = 0;
     for (const label n : {16, 17, 32, 33})
     {
-        const surfaceBasis basis(n);
+        const curveBasis basis(n);
         const closedSurface curve(basis, ellipse(basis, 2, 1));
         const scalar error = mag(curve.perimeter() - perimeter);
         check("area of an ellipse", curve.volume() - 2*pi, 1e-12);
@@ -98,17 +97,21 @@ int main()
         }
     }
 
-    const surfaceBasis basis(41);
+    const curveBasis basis(41);
     const closedSurface curve(basis, ellipse(basis, 2, 1));
 
     // Nearest point: from a point on the normal at a known parameter
     for (const scalar alpha : {0.3, 1.5, 4.0})
     {
-        const vector2 n = turned(curve.point(alpha, 1)).normalized();
+        const surfacePoint foot = curve.expand(surfaceParameter(alpha, 0, 0));
+        const vector2 n = turned(vector2(foot.first[0])).normalized();
         for (const scalar d : {-0.3, 0.2, 1.0})
         {
-            const vector2 x = curve.point(alpha) + d*n;
-            check("foot point", curve.nearest(x, alpha + 0.2) - alpha, 1e-9);
+            const surfaceParameter guess(alpha + 0.2, 0, 0);
+            check
+            (
+                "foot point", curve.nearest(foot.x + d*n, guess)[0] - alpha, 1e-9
+            );
         }
     }
 
@@ -266,7 +269,7 @@ int main()
     // Integral over the parameter
     for (const label n : {16, 17})
     {
-        const surfaceBasis nodes(n);
+        const curveBasis nodes(n);
         nodalScalars f(n);
         nodalScalars exact(n);
         for (label i = 0; i < n; ++i)

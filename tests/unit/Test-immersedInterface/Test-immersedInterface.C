@@ -260,7 +260,7 @@ int main(int argc, char *argv[])
     }
 
     const scalar h = Foam::sqrt(gMax(mesh.V().field())/plane.sector());
-    const surfaceBasis basis(2*label(constant::mathematical::pi/h) + 1);
+    const curveBasis basis(2*label(constant::mathematical::pi/h) + 1);
     nodalVectors x(basis.size(), 2);
     nodalVectors f(basis.size(), 2);
     for (label i = 0; i < basis.size(); ++i)
@@ -298,7 +298,7 @@ int main(int argc, char *argv[])
     method.start();
 
     // The mesh takes the long waves of the force, see immersedMembrane
-    const nodalMatrix filter =
+    const nodalFilter filter =
         basis.lowPass(curve.perimeter()/(constant::mathematical::twoPi*h));
     const nodalVectors& normal = curve.normal();
     const nodalVectors& tangent = curve.tangent();
@@ -348,7 +348,7 @@ int main(int argc, char *argv[])
             );
         problem.set(stacked(left));
         const nodalScalars x = method.next(stacked(equivalent), problem);
-        equivalent = unstacked(x);
+        equivalent = unstacked(x, 2);
         imbalance = problem.correction(problem.fluidResponse()).norm()/x.norm();
         ++iterations;
     }

@@ -220,12 +220,12 @@ static void testConvergence
         const nodalMatrix coarse =
             responses(closedSurface(basis, nodes(basis, shape)));
 
-        nodalScalars alphas(2*n);
-        for (label j = 0; j < 2*n; ++j)
+        List<surfaceParameter> at(2*n);
+        forAll(at, j)
         {
-            alphas(j) = basis.alpha(j) + basis.start() - many.start();
+            at[j][0] = basis.alpha(j) + basis.start() - many.start();
         }
-        const nodalMatrix toNodes = many.evaluation(alphas);
+        const nodalMatrix toNodes = many.functions(at)*many.analysis();
         const auto error = [&](const label i)
         {
             const nodalScalars exact =
@@ -251,7 +251,7 @@ static void testCircle()
 {
     const label n = 41;
     const scalar R = 2;
-    const surfaceBasis basis(n);
+    const curveBasis basis(n);
     nodalVectors x(n, 2);
     for (label i = 0; i < n; ++i)
     {

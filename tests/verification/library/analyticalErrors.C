@@ -65,9 +65,9 @@ Foam::scalar Foam::functionObjects::analyticalErrors::interfaceError
         const capsule::membrane::state& now = (*membranes)[i].now();
         for (label node = 0; node < now.x.rows(); ++node)
         {
-            const capsule::vector2 exact =
+            const capsule::solvedVector exact =
                 exact_->velocity(now.x.row(node), t);
-            const capsule::vector2 found = now.velocity.row(node);
+            const capsule::solvedVector found = now.velocity.row(node);
             largest = max(largest, (found - exact).norm());
         }
     }
@@ -94,10 +94,10 @@ Foam::boolList Foam::functionObjects::analyticalErrors::inside
     for (label i = 0; membranes && i < membranes->size(); ++i)
     {
         const capsule::membrane& m = (*membranes)[i];
-        const capsule::closedSurface curve(m.basis(), m.now().interface);
+        const capsule::closedSurface surface(m.basis(), m.now().interface);
         const capsule::membraneLevelSet distance
         (
-            m.name(), mesh_, plane_, curve, 1
+            m.name(), mesh_, plane_, surface, 1
         );
         UIndirectList<bool>(result, distance.inside()) = true;
     }
@@ -155,7 +155,7 @@ bool Foam::functionObjects::analyticalErrors::write()
     const boolList inside(this->inside(t));
     forAll(dU, celli)
     {
-        const capsule::vector2 x = plane_(mesh_.C()[celli]);
+        const capsule::solvedVector x = plane_(mesh_.C()[celli]);
         dU[celli] = (plane_(U[celli]) - exact_->velocity(x, t)).norm();
         dp[celli] = p[celli] - exact_->pressure(x, t, inside[celli]);
         outside[celli] = inside[celli] ? 0 : V[celli];

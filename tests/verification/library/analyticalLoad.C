@@ -40,15 +40,8 @@ Foam::capsule::analyticalLoad::analyticalLoad
 
 Foam::capsule::nodalVectors Foam::capsule::analyticalLoad::force
 (
-    const closedSurface& curve
+    const closedSurface& surface
 ) const
 {
-    nodalVectors result(curve.size(), 2);
-    for (label i = 0; i < curve.size(); ++i)
-    {
-        const vector2 f = exact_->force(curve.nodes().row(i), time_.value());
-        result.row(i) =
-            f(0)*curve.normal().row(i) + f(1)*curve.tangent().row(i);
-    }
-    return result;
+    return exact_->force(surface, time_.value());
 }

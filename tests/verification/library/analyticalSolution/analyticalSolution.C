@@ -107,72 +107,34 @@ Foam::capsule::analyticalSolution::New(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
-Foam::scalar Foam::capsule::analyticalSolution::radius
+bool Foam::capsule::analyticalSolution::encloses
 (
-    const scalar,
+    const solvedVector& d,
     const scalar
 ) const
 {
-    return radius_;
-}
-
-
-Foam::capsule::vector2 Foam::capsule::analyticalSolution::polarForce
-(
-    const scalar,
-    const scalar
-) const
-{
-    return vector2::Zero();
+    return d.norm() < radius_;
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::capsule::analyticalSolution::inside
+Foam::capsule::solvedVector Foam::capsule::analyticalSolution::velocity
 (
-    const vector2& x,
+    const solvedVector& x,
     const scalar t
 ) const
 {
-    const vector2 d = relative(x, t);
-    return d.norm() < radius(std::atan2(d(1), d(0)), t);
+    return
+        drift_ + relativeFlow(relative(x, t), t, inside(x, t)).velocity;
 }
 
 
-Foam::capsule::vector2 Foam::capsule::analyticalSolution::velocity
+Foam::capsule::nodalVectors Foam::capsule::analyticalSolution::force
 (
-    const vector2& x,
-    const scalar t
+    const closedSurface& surface,
+    const scalar
 ) const
 {
-    const vector2 d = relative(x, t);
-    const scalar theta = std::atan2(d(1), d(0));
-    const polarFlow u = flow(d.norm(), theta, t, inside(x, t));
-    const scalar c = std::cos(theta);
-    const scalar s = std::sin(theta);
-    return drift_ + vector2(u.r*c - u.theta*s, u.r*s + u.theta*c);
-}
-
-
-Foam::scalar Foam::capsule::analyticalSolution::pressure
-(
-    const vector2& x,
-    const scalar t,
-    const bool in
-) const
-{
-    const vector2 d = relative(x, t);
-    return flow(d.norm(), std::atan2(d(1), d(0)), t, in).p;
-}
-
-
-Foam::capsule::vector2 Foam::capsule::analyticalSolution::force
-(
-    const vector2& x,
-    const scalar t
-) const
-{
-    const vector2 d = relative(x, t);
-    return polarForce(std::atan2(d(1), d(0)), t);
+    return nodalVectors::Zero(surface.size(), surface.nComponents());
 }

@@ -52,7 +52,7 @@ Foam::capsule::analyticalSolutions::decayingRotation::decayingRotation
     const scalar density
 )
 :
-    analyticalSolution(dict, plane, viscosity, density),
+    polarSolution(dict, plane, viscosity, density),
     rate_(dict.get<scalar>("rate")),
     normal_(dict.get<scalar>("normal")),
     k_
@@ -69,7 +69,7 @@ Foam::capsule::analyticalSolutions::decayingRotation::decayingRotation
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
-Foam::capsule::analyticalSolution::polarFlow
+Foam::capsule::polarSolution::polarFlow
 Foam::capsule::analyticalSolutions::decayingRotation::flow
 (
     const scalar r,

@@ -158,7 +158,7 @@ Foam::capsule::analyticalSolutions::dropMode::dropMode
     const scalar density
 )
 :
-    analyticalSolution(dict, plane, viscosity, density),
+    polarSolution(dict, plane, viscosity, density),
     m_(dict.getCheck<label>("mode", labelMinMax::ge(2))),
     amplitude_(dict.get<scalar>("amplitude")),
     tension_(dict.get<scalar>("tension"))
@@ -204,7 +204,7 @@ Foam::scalar Foam::capsule::analyticalSolutions::dropMode::radius
 }
 
 
-Foam::capsule::analyticalSolution::polarFlow
+Foam::capsule::polarSolution::polarFlow
 Foam::capsule::analyticalSolutions::dropMode::flow
 (
     const scalar r,

@@ -36,7 +36,7 @@ Foam::capsule::analyticalSolutions::forceMode::forceMode
     const scalar density
 )
 :
-    analyticalSolution(dict, plane, viscosity, density),
+    polarSolution(dict, plane, viscosity, density),
     m_(dict.getCheck<label>("mode", labelMinMax::ge(2))),
     amplitude_(dict.get<scalar>("normal"), dict.get<scalar>("tangential"))
 {
@@ -66,7 +66,7 @@ Foam::capsule::analyticalSolutions::forceMode::forceMode
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
-Foam::capsule::analyticalSolution::polarFlow
+Foam::capsule::polarSolution::polarFlow
 Foam::capsule::analyticalSolutions::forceMode::flow
 (
     const scalar r,

@@ -39,21 +39,21 @@ Foam::capsule::analyticalSolutions::pressurisedCircle::pressurisedCircle
     analyticalSolution(dict, plane, viscosity, density),
     pressure_
     (
-        dict.get<scalar>("tension")*(plane.axisymmetric() ? 2 : 1)/radius_
+        dict.get<scalar>("tension")
+       *(plane.spatial() || plane.axisymmetric() ? 2 : 1)/radius_
     )
 {}
 
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
-Foam::capsule::analyticalSolution::polarFlow
-Foam::capsule::analyticalSolutions::pressurisedCircle::flow
+Foam::capsule::analyticalSolution::localFlow
+Foam::capsule::analyticalSolutions::pressurisedCircle::relativeFlow
 (
-    const scalar,
-    const scalar,
+    const solvedVector& d,
     const scalar,
     const bool in
 ) const
 {
-    return {0, 0, in ? pressure_ : 0};
+    return {solvedVector::Zero(d.size()), in ? pressure_ : 0};
 }

@@ -36,7 +36,7 @@ Foam::capsule::analyticalSolutions::rotatingRing::rotatingRing
     const scalar density
 )
 :
-    analyticalSolution(dict, plane, viscosity, density),
+    polarSolution(dict, plane, viscosity, density),
     W_(dict.get<scalar>("rate")),
     a_(0),
     b_(dict.get<scalar>("vortex"))
@@ -47,7 +47,7 @@ Foam::capsule::analyticalSolutions::rotatingRing::rotatingRing
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
-Foam::capsule::analyticalSolution::polarFlow
+Foam::capsule::polarSolution::polarFlow
 Foam::capsule::analyticalSolutions::rotatingRing::flow
 (
     const scalar r,

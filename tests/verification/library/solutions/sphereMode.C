@@ -63,10 +63,15 @@ Foam::capsule::analyticalSolutions::sphereMode::sphereMode
     const scalar density
 )
 :
-    analyticalSolution(dict, plane, viscosity, density),
+    polarSolution(dict, plane, viscosity, density),
     l_(dict.getCheck<label>("mode", labelMinMax::ge(0))),
-    amplitude_(dict.get<scalar>("normal"), dict.get<scalar>("tangential")),
-    velocity_(0, 0)
+    flow_
+    (
+        l_,
+        radius_,
+        viscosity,
+        {dict.get<scalar>("normal"), dict.get<scalar>("tangential"), 0}
+    )
 {
     const vector centre(dict.get<vector>("centre"));
     if
@@ -79,37 +84,12 @@ Foam::capsule::analyticalSolutions::sphereMode::sphereMode
             << "Entry type: " << typeName << " needs a wedge with the entry"
             << " centre on its axis, not " << centre << exit(FatalIOError);
     }
-    if (l_ == 0)
-    {
-        return;
-    }
-
-    const scalar l = l_;
-    const scalar s = l*(l + 1);
-    const scalar in = viscosity_.first();
-    const scalar out = viscosity_.second();
-    const scalar det =
-    (
-        2*(l + 1)*(l - 1)*(2*sqr(l) + 4*l + 3)*sqr(in)
-      + (8*sqr(s) - 4*s + 3)*in*out
-      + 2*l*(l + 2)*(2*sqr(l) + 1)*sqr(out)
-    )/s;
-    const scalar both = 3*(in*(l + 1) + out*l);
-
-    velocity_(0) =
-        (2*l + 1)*(in + out)*amplitude_(0) + both*amplitude_(1);
-    velocity_(1) =
-        both/s*amplitude_(0)
-      + (
-            in*(2*sqr(l) + l + 3)/l + out*(2*sqr(l) + 3*l + 4)/(l + 1)
-        )*amplitude_(1);
-    velocity_ *= radius_/det;
 }
 
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
-Foam::capsule::analyticalSolution::polarFlow
+Foam::capsule::polarSolution::polarFlow
 Foam::capsule::analyticalSolutions::sphereMode::flow
 (
     const scalar r,
@@ -118,41 +98,9 @@ Foam::capsule::analyticalSolutions::sphereMode::flow
     const bool in
 ) const
 {
-    if (l_ == 0)
-    {
-        return {0, 0, in ? -amplitude_(0) : 0};
-    }
-
-    const scalar l = l_;
-    const scalar s = l*(l + 1);
-    const scalar q = r/radius_;
-    const scalar U = velocity_(0);
-    const scalar V = velocity_(1);
     const vector2 Y = harmonic(theta);
-
-    if (in)
-    {
-        const scalar A = (l + 1)*(l*V - U)/2;
-        const scalar a = A*std::pow(q, l + 1);
-        const scalar b = (U - A)*std::pow(q, l - 1);
-        const scalar p = viscosity_.first()*(2*l + 3)*2*A/(l*radius_);
-        return
-        {
-            (a + b)*Y(0),
-            (a*(l + 3)/s + b/l)*Y(1),
-            p*std::pow(q, l)*Y(0)
-        };
-    }
-    const scalar C = l*((l + 1)*V + U)/2;
-    const scalar c = C*std::pow(q, -l);
-    const scalar d = (U - C)*std::pow(q, -l - 2);
-    const scalar p = viscosity_.second()*(2*l - 1)*2*C/((l + 1)*radius_);
-    return
-    {
-        (c + d)*Y(0),
-        (c*(2 - l)/s - d/(l + 1))*Y(1),
-        p*std::pow(q, -l - 1)*Y(0)
-    };
+    const sphereFlow::factors at = flow_(r, in);
+    return {at.U*Y(0), at.V*Y(1), at.p*Y(0)};
 }
 
 
@@ -163,5 +111,6 @@ Foam::capsule::analyticalSolutions::sphereMode::polarForce
     const scalar
 ) const
 {
-    return amplitude_.cwiseProduct(harmonic(theta));
+    const vector2 Y = harmonic(theta);
+    return vector2(flow_.force().normal*Y(0), flow_.force().tangential*Y(1));
 }

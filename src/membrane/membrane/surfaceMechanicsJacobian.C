@@ -1,0 +1,187 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "surfaceMechanics.H"
+#include "mathematicalConstants.H"
+
+#include <Eigen/Geometry>
+
+using Foam::constant::mathematical::pi;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- The part of a stress S^ab of positive principal values, which are those of
+//  S^ac a_cb; of a surface of metric a_ab and inverse a^ab
+static Foam::capsule::surfaceMetric::tensor2 tensilePart
+(
+    const Foam::capsule::surfaceMetric::tensor2& S,
+    const Foam::capsule::surfaceMetric::tensor2& metric,
+    const Foam::capsule::surfaceMetric::tensor2& inverse
+)
+{
+    const Foam::capsule::surfaceMetric::tensor2 mixed = S*metric;
+    const Foam::scalar mean = 0.5*mixed.trace();
+    const Foam::scalar root =
+        std::sqrt(Foam::max(Foam::sqr(mean) - mixed.determinant(), 0.0));
+
+    if (mean >= root)
+    {
+        return S;
+    }
+    if (mean <= -root)
+    {
+        return Foam::capsule::surfaceMetric::tensor2::Zero();
+    }
+    return (0.5*(mean + root)/root)*(S - (mean - root)*inverse);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::capsule::surfaceMechanics::addElastic
+(
+    const nodalVectors& X,
+    const bool fullTangent,
+    List<nodalMatrix>& fields
+) const
+{
+    // d(S^ab x_b) = S^ab dx_b + dS^ab x_b, where with X^a = A^ab x_b and the
+    // dual tangents x^a = a^ab x_b
+    //     dI = 2 X^a.dx_a,        dJ = J x^a.dx_a,
+    //     d(a^ab) x_b = -x^b (x^a.dx_b) - a^ab (dx_b - n (n.dx_b)).
+    // Per reference area, the membrane turns in its plane by
+    //     r = (n x y^a).dx_a,        y^a = (X^a + J x^a)/(l1 + l2),
+    // at the energy (alpha + beta/J) r^2/4, and its normal at S^ab n_a n_b/2,
+    // n_a = n.dx_a
+    typedef surfaceMetric::tensor2 tensor2;
+    typedef surfaceMetric::vectorPair vectorPair;
+
+    const label nDerivatives = products_.nDerivatives();
+    const surfaceMetric surface = metricOf(grid_, X);
+    const secondPiolaStress stress = stressOf(surface);
+    const nodalScalars J = reference_.areaRatio(surface);
+    const nodalScalars sum =
+        (reference_.firstInvariant(surface) + 2*J).cwiseSqrt();
+
+    for (label k = 0; k < grid_.size(); ++k)
+    {
+        const scalar alpha = stress.alpha(k);
+        const scalar beta = stress.beta(k);
+        const vectorPair x = surface.tangentsAt(k);
+        const Eigen::Matrix<scalar, 3, 1> n = surface.normalAt(k);
+        const tensor2 A = reference_.inverseAt(k);
+        const tensor2 a = surface.inverseAt(k);
+        const vectorPair xA = x*A;
+        const vectorPair xa = x*a;
+        const vectorPair dAlpha =
+            2*stress.alphaI(k)*xA + J(k)*stress.alphaJ(k)*xa;
+        const vectorPair dBeta =
+            2*stress.betaI(k)*xA + J(k)*stress.betaJ(k)*xa;
+        const tensor2 S = alpha*A + beta*a;
+        const tensor2 turning =
+            fullTangent ? S : tensilePart(S, x.transpose()*x, a);
+        const vectorPair twist =
+            fullTangent
+          ? vectorPair(vectorPair::Zero())
+          : vectorPair
+            (
+                std::sqrt(max(-0.5*(alpha + beta/J(k)), 0.0))/sum(k)
+               *(xA + J(k)*xa).colwise().cross(n)
+            );
+        const scalar weight = grid_.weights()(k)*reference_.area()(k);
+
+        for (label b = 0; b < 2; ++b)
+        {
+            for (label c = 0; c < 2; ++c)
+            {
+                Eigen::Matrix<scalar, 3, 3> m =
+                    xA.col(b)*dAlpha.col(c).transpose()
+                  + xa.col(b)*dBeta.col(c).transpose()
+                  - beta*xa.col(c)*xa.col(b).transpose()
+                  + twist.col(b)*twist.col(c).transpose()
+                  + (turning(b, c) - alpha*A(b, c))*n*n.transpose();
+                m.diagonal().array() += alpha*A(b, c);
+
+                for (label ij = 0; ij < 9; ++ij)
+                {
+                    fields[ij](k, b*nDerivatives + c) +=
+                        weight*m(ij/3, ij % 3);
+                }
+            }
+        }
+    }
+}
+
+
+void Foam::capsule::surfaceMechanics::addBending
+(
+    const nodalVectors& X,
+    const bool fullTangent,
+    List<nodalMatrix>& fields
+) const
+{
+    const surfaceBending::nodalJets jets = jetsOf(X);
+
+    for (label k = 0; k < grid_.size(); ++k)
+    {
+        const surfaceBending::hessianMatrix h =
+            bending_->hessian(jets, k, fullTangent);
+
+        for (label ab = 0; ab < 25; ++ab)
+        {
+            for (label ij = 0; ij < 9; ++ij)
+            {
+                fields[ij](k, ab) +=
+                    grid_.weights()(k)
+                   *h(3*(ab/5) + ij/3, 3*(ab % 5) + ij % 3);
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::capsule::nodalMatrix Foam::capsule::surfaceMechanics::jacobian
+(
+    const nodalVectors& X,
+    const bool fullTangent
+) const
+{
+    const label n = harmonics_.size();
+    const label nFields =
+        products_.nDerivatives()*products_.nDerivatives();
+    List<nodalMatrix> fields
+    (
+        9,
+        nodalMatrix::Zero(grid_.size(), nFields)
+    );
+    addElastic(X, fullTangent, fields);
+    if (bending_.valid())
+    {
+        addBending(X, fullTangent, fields);
+    }
+
+    nodalMatrix result(3*n, 3*n);
+    for (label i = 0; i < 3; ++i)
+    {
+        for (label j = 0; j < 3; ++j)
+        {
+            result.block(i*n, j*n, n, n) =
+                law_->hasEnergy() && j < i
+              ? nodalMatrix(result.block(j*n, i*n, n, n).transpose())
+              : nodalMatrix(products_.product(fields[3*i + j])/(-4*pi));
+        }
+    }
+    return result;
+}
+
+
+// ************************************************************************* //
