@@ -36,9 +36,8 @@ const char* const Foam::functionObjects::energyBalance::notKnown_ = "nan";
 
 const char* Foam::functionObjects::energyBalance::unit() const
 {
-    const capsule::solvedDirections& plane =
-        mesh_.lookupObject<capsule::membraneSystem>("membraneProperties")
-       .plane();
+    // Before there are membranes, when it runs afterwards
+    const capsule::solvedDirections plane(mesh_);
 
     return plane.axisymmetric() || plane.spatial() ? " [W]" : " [W/m]";
 }

@@ -168,11 +168,8 @@ void Foam::capsule::faceParts::addTriangle
         }
         if (far != (b.distance*side < 0))
         {
-            // Alike, from whichever triangle the side is seen
-            const bool swapped = (b.distance < a.distance);
-            const scalar xi = (swapped ? crossing(b, a) : crossing(a, b));
-            polygon[n++] =
-                swapped ? b.x + xi*(a.x - b.x) : a.x + xi*(b.x - a.x);
+            const scalar xi = a.distance/(a.distance - b.distance);
+            polygon[n++] = a.x + xi*(b.x - a.x);
         }
     }
 

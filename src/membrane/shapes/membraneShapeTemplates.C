@@ -24,8 +24,10 @@ typename Table::mapped_type Foam::capsule::membraneShape::constructor
     if (!table.found(type))
     {
         FatalIOErrorInFunction(dict)
-            << "Entry type is " << type << "; shapes in " << geometry << ": "
-            << flatOutput(table.sortedToc()) << exit(FatalIOError);
+            << "Entry type is " << type << "; permitted in " << geometry << ": "
+            << flatOutput(table.sortedToc()) << nl
+            << "    A plane mesh, a wedge and space have shapes of their own"
+            << exit(FatalIOError);
     }
     return table[type];
 }

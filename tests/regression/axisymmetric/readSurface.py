@@ -48,7 +48,7 @@ keyword('POINT_DATA', str(n))
 for name in ('velocity', 'force'):
     keyword('VECTORS', name, 'float')
     take(3*n)
-for name in ('stretch', 'tension', 'hoopStretch', 'hoopTension'):
+for name in ('stretch', 'tension', 'hoopStretch', 'hoopTension', 'curvature'):
     keyword('SCALARS', name, 'float', '1', 'LOOKUP_TABLE', 'default')
     take(n)
 assert at == len(words), words[at:at + 5]

@@ -42,7 +42,7 @@ int main(int argc, char *argv[])
 
     forAll(U, celli)
     {
-        const capsule::vector2 x = plane(mesh.C()[celli]);
+        const capsule::solvedVector x = plane(mesh.C()[celli]);
         U[celli] = plane.toVector(exact->velocity(x, runTime.value()));
         p[celli] = exact->pressure(x, runTime.value());
     }
