@@ -154,8 +154,8 @@ Foam::capsule::diffuseMembrane::diffuseMembrane
     if (plane.axisymmetric())
     {
         FatalIOErrorInFunction(dict)
-            << "Entry interface of coupling is diffuse, which is for plane"
-            << " meshes only; permitted in a wedge: sharp" << exit(FatalIOError);
+            << "Entry interface of coupling is diffuse, which is not for"
+            << " wedges; permitted in a wedge: sharp" << exit(FatalIOError);
     }
 }
 

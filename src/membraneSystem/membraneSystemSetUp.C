@@ -97,7 +97,8 @@ void Foam::capsule::membraneSystem::warnOfResolution() const
             WarningInFunction
                 << "Points of membrane " << name << " are " << spacing
                 << " cell widths apart, more than " << membrane::widestSpacing
-                << ": it is not resolved there; see its entry points" << endl;
+                << ": it is not resolved there; see its entry "
+                << (plane_.spatial() ? "degree" : "points") << endl;
         }
         warnOfMomentumLayer(parts_[i]);
     }
