@@ -118,6 +118,15 @@ Foam::scalar Foam::capsule::immersedMembrane::forceNoise
 }
 
 
+Foam::capsule::timeScheme
+Foam::capsule::immersedMembrane::setMembraneScheme()
+{
+    const timeScheme scheme(mesh_, "ddt(membranes)", membrane_.nOld());
+    membrane_.setRates(scheme);
+    return scheme;
+}
+
+
 void Foam::capsule::immersedMembrane::setResponse
 (
     const closedSurface& predictedCurve,
@@ -134,7 +143,7 @@ void Foam::capsule::immersedMembrane::setResponse
             surface(),
             predictedCurve,
             filter(surface(), membraneMotion::waves),
-            timeScheme(mesh_, "ddt(membranes)", membrane_.nOld()),
+            setMembraneScheme(),
             method.conserveArea()
         )
     );
@@ -178,6 +187,7 @@ Foam::capsule::immersedMembrane::immersedMembrane
     ratio_(membrane_.viscosity()/viscosity)
 {
     setFlowScheme();
+    setMembraneScheme();
     if (flowScheme().c != 0)
     {
         layer_.reset(new momentumLayer);
@@ -256,6 +266,7 @@ void Foam::capsule::immersedMembrane::restore()
 {
     membrane_.restore();
     setFlowScheme();
+    setMembraneScheme();
     // Its curve goes with the interface
     motion_.clear();
 }

@@ -13,6 +13,43 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::capsule::nodalScalars Foam::capsule::curveMechanics::tension
+(
+    const closedSurface& curve,
+    const nodalScalars (&l)[2],
+    const label i
+) const
+{
+    nodalScalars result = law_->tension(l[i], l[1 - i]);
+    if (viscosity_.valid())
+    {
+        for (label j = 0; j < 2; ++j)
+        {
+            const scalar viscosity =
+                i == j ? viscosity_->along() : viscosity_->across();
+            result.array() +=
+                viscosity
+               *(rateCoeff_ - history_[j].array()/length(curve, j).array());
+        }
+    }
+    return result;
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::curveMechanics::viscousSlope
+(
+    const closedSurface& curve,
+    const label i,
+    const label j
+) const
+{
+    const scalar viscosity =
+        i == j ? viscosity_->along() : viscosity_->across();
+    return
+        viscosity*history_[j].cwiseQuotient(length(curve, j).cwiseAbs2());
+}
+
+
 void Foam::capsule::curveMechanics::addSecondJacobian
 (
     const closedSurface& curve,
@@ -21,12 +58,23 @@ void Foam::capsule::curveMechanics::addSecondJacobian
 {
     // With dg = t.dx' and dc = dr: -(T2 dg + g dT2) e
     const label n = curve.size();
-    const nodalScalars l1 = stretch(curve);
-    const nodalScalars l2 = secondStretch(curve);
-    const nodalScalars perLengthening =
+    const nodalScalars l[2] = {stretch(curve), secondStretch(curve)};
+    nodalScalars perLengthening =
     (
-        law_->tension(l2, l1) + l1.cwiseProduct(law_->crossStiffness(l2, l1))
+        tension(curve, l, 1)
+      + l[0].cwiseProduct(law_->crossStiffness(l[1], l[0]))
     ).cwiseQuotient(curve.areaElement());
+    nodalScalars stiffness =
+        law_->stiffness(l[1], l[0]).cwiseQuotient
+        (
+            curve.around().cwiseProduct(referenceAround_)
+        );
+    if (viscosity_.valid())
+    {
+        perLengthening +=
+            viscousSlope(curve, 1, 0).cwiseQuotient(curve.around());
+        stiffness += viscousSlope(curve, 1, 1).cwiseQuotient(curve.around());
+    }
 
     for (label j = 0; j < 2; ++j)
     {
@@ -36,11 +84,7 @@ void Foam::capsule::curveMechanics::addSecondJacobian
                 perLengthening.cwiseProduct(curve.tangent().col(j))
             ).asDiagonal()*curve.basis().derivative();
     }
-    jacobian.block(n, n, n, n).diagonal() -=
-        law_->stiffness(l2, l1).cwiseQuotient
-        (
-            curve.around().cwiseProduct(referenceAround_)
-        );
+    jacobian.block(n, n, n, n).diagonal() -= stiffness;
 }
 
 
@@ -53,7 +97,9 @@ Foam::capsule::curveMechanics::curveMechanics
 )
 :
     law_(elasticLaw::New(input::subDict(dict, "elasticLaw"), plane)),
-    bending_(bendingModel::New(input::subDict(dict, "bending")))
+    bending_(bendingModel::New(input::subDict(dict, "bending"))),
+    viscosity_(surfaceViscosity::New(dict)),
+    rateCoeff_(0)
 {}
 
 
@@ -72,18 +118,34 @@ void Foam::capsule::curveMechanics::setReference
         referenceAround_ /= stretch;
     }
     bending_->setReference(initial);
+    setRates(timeScheme(), initial, initial);
+}
+
+
+void Foam::capsule::curveMechanics::setRates
+(
+    const timeScheme& scheme,
+    const closedSurface& last,
+    const closedSurface& lastButOne
+)
+{
+    rateCoeff_ = scheme.c;
+    for (label i = 0; i < 2; ++i)
+    {
+        history_[i] =
+            scheme.history(length(last, i), length(lastButOne, i));
+    }
 }
 
 
 Foam::capsule::membraneMechanics::principalValues
 Foam::capsule::curveMechanics::principal(const closedSurface& curve) const
 {
-    const nodalScalars l1 = stretch(curve);
-    const nodalScalars l2 = secondStretch(curve);
+    const nodalScalars l[2] = {stretch(curve), secondStretch(curve)};
 
     return principalValues
     {
-        l1, l2, law_->tension(l1, l2), law_->tension(l2, l1)
+        l[0], l[1], tension(curve, l, 0), tension(curve, l, 1)
     };
 }
 
@@ -115,15 +177,14 @@ Foam::capsule::nodalVectors Foam::capsule::curveMechanics::force
     const closedSurface& curve
 ) const
 {
-    const nodalScalars l1 = stretch(curve);
-    const nodalScalars l2 = secondStretch(curve);
-    nodalVectors resultant = scaled(law_->tension(l1, l2), curve.tangent());
+    const nodalScalars l[2] = {stretch(curve), secondStretch(curve)};
+    nodalVectors resultant = scaled(tension(curve, l, 0), curve.tangent());
     bending_->addResultant(curve, resultant);
 
     nodalVectors result = resultants::force(curve, resultant);
     if (curve.axisymmetric())
     {
-        result.col(1) -= curve.metric().cwiseProduct(law_->tension(l2, l1));
+        result.col(1) -= curve.metric().cwiseProduct(tension(curve, l, 1));
     }
     return result;
 }
@@ -138,15 +199,22 @@ Foam::capsule::nodalMatrix Foam::capsule::curveMechanics::forceJacobian
     // d(T1 t) = [(dT1/dl1/g_ref - T1/g) t t + T1/g I] dx' + dT1/dl2/c_ref t dr
     const label n = curve.size();
     const bool plane = !curve.axisymmetric();
-    const nodalScalars l1 = stretch(curve);
-    const nodalScalars l2 = secondStretch(curve);
-    const nodalScalars T1 = law_->tension(l1, l2);
-    const nodalScalars along =
-        law_->stiffness(l1, l2).cwiseQuotient(referenceMetric_);
-    const nodalScalars across =
+    const nodalScalars l[2] = {stretch(curve), secondStretch(curve)};
+    const nodalScalars T1 = tension(curve, l, 0);
+    nodalScalars along =
+        law_->stiffness(l[0], l[1]).cwiseQuotient(referenceMetric_);
+    nodalScalars across =
         plane
       ? nodalScalars()
-      : law_->crossStiffness(l1, l2).cwiseQuotient(referenceAround_);
+      : law_->crossStiffness(l[0], l[1]).cwiseQuotient(referenceAround_);
+    if (viscosity_.valid())
+    {
+        along += viscousSlope(curve, 0, 0);
+        if (!plane)
+        {
+            across += viscousSlope(curve, 0, 1);
+        }
+    }
     const nodalScalars turning =
         (
             fullTangent ? T1 : nodalScalars(T1.cwiseMax(0))

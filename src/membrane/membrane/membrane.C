@@ -27,6 +27,30 @@ const Foam::label Foam::capsule::membrane::greatestDegree = 32;
 const Foam::scalar Foam::capsule::membrane::leastAcross = 2;
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- The nodes of a basis on a shape
+static Foam::capsule::nodalVectors nodesOf
+(
+    const Foam::capsule::membraneShape& shape,
+    const Foam::capsule::surfaceBasis& basis
+)
+{
+    using namespace Foam::capsule;
+
+    if (!basis.spatial())
+    {
+        return Foam::refCast<const curveShape>(shape).nodes(basis.curve());
+    }
+    const nodalVectors X =
+        Foam::refCast<const spatialShape>(shape).coefficients
+        (
+            basis.spherical().harmonics()
+        );
+    return basis.spherical().grid().values().leftCols(X.rows())*X;
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalar Foam::capsule::membrane::radiusInCells
@@ -176,15 +200,57 @@ Foam::capsule::nodalVectors Foam::capsule::membrane::setBasis
         (
             plane_, nPoints(dict, constant::mathematical::twoPi*radius)
         );
-        return refCast<const curveShape>(shape).nodes(basis_->curve());
     }
-    const label p = degree(dict, radius);
-    auto basis = autoPtr<sphericalBasis>(new sphericalBasis(p, (3*p + 1)/2));
-    const nodalVectors X =
-        refCast<const spatialShape>(shape).coefficients(basis->harmonics());
-    const nodalVectors x = basis->grid().values().leftCols(X.rows())*X;
-    basis_.reset(basis.release());
-    return x;
+    else
+    {
+        const label p = degree(dict, radius);
+        basis_.reset(new sphericalBasis(p, (3*p + 1)/2));
+    }
+    return nodesOf(shape, *basis_);
+}
+
+
+void Foam::capsule::membrane::setReference
+(
+    const closedSurface& initial,
+    const scalar stretch,
+    const dictionary& dict
+)
+{
+    if (!dict.found("reference"))
+    {
+        mechanics_->setReference(initial, stretch);
+        return;
+    }
+
+    const dictionary& given = input::subDict(dict, "reference");
+    if (stretch != 1 || given.found("initialStretch"))
+    {
+        FatalIOErrorInFunction(given)
+            << "Entry initialStretch of membrane " << name_ << " and its"
+            << " dictionary reference exclude each other: the reference shape"
+            << " gives all stretches" << exit(FatalIOError);
+    }
+    if (!mechanics_->knowsReference())
+    {
+        FatalIOErrorInFunction(given)
+            << "Membrane " << name_ << " has a reference shape, but neither its"
+            << " elastic law, " << mechanics_->law().type()
+            << ", nor its bending depend on one; permitted: no entry reference"
+            << exit(FatalIOError);
+    }
+    // Where the reference lies does not matter
+    dictionary shapeDict(dict, given);
+    if (!given.found("centre"))
+    {
+        const dictionary& initialDict = input::subDict(dict, "shape");
+        shapeDict.add("centre", input::get<point>(initialDict, "centre"));
+    }
+    const autoPtr<membraneShape> shape(membraneShape::New(shapeDict, plane_));
+    mechanics_->setReference
+    (
+        closedSurface(*basis_, nodesOf(*shape, *basis_)), 1
+    );
 }
 
 
@@ -198,13 +264,13 @@ void Foam::capsule::membrane::setInitial
     const scalar stretch = shape.initialStretch();
     if (stretch != 1 && !mechanics_->law().knowsReference())
     {
-        FatalIOErrorInFunction(dict)
+        FatalIOErrorInFunction(input::subDict(dict, "shape"))
             << "Entry initialStretch is " << stretch << ", but the tension of"
             << " the elastic law " << mechanics_->law().type()
             << " of membrane " << name_ << " does not depend on the stretch;"
             << " permitted: 1, or no entry" << exit(FatalIOError);
     }
-    mechanics_->setReference(initial, stretch);
+    setReference(initial, stretch, dict);
     if (load_.valid())
     {
         load_->setReference(initial);
@@ -245,6 +311,8 @@ Foam::capsule::membrane::membrane
             "shape",
             "elasticLaw",
             "bending",
+            "surfaceViscosity",
+            "reference",
             "load",
             "points",
             "degree",
@@ -263,7 +331,7 @@ Foam::capsule::membrane::membrane
         load_ = membraneLoad::New(input::subDict(dict, "load"), mesh);
     }
 
-    setInitial(closedSurface(*basis_, nodes), *shape, shapeDict);
+    setInitial(closedSurface(*basis_, nodes), *shape, dict);
     if (!readState(dict.topDict(), mesh.time()))
     {
         Info<< "Membrane " << name_ << ": starts as "
@@ -284,6 +352,11 @@ Foam::capsule::membrane::membrane
         {
             Info<< ", stretched by " << shape->initialStretch();
         }
+        if (dict.found("reference"))
+        {
+            Info<< ", from the reference shape "
+                << input::get<word>(dict.subDict("reference"), "type");
+        }
         Info<< endl;
     }
 }
@@ -297,6 +370,26 @@ Foam::capsule::nodalScalars Foam::capsule::membrane::power
 ) const
 {
     return dot(force(surface, surface.areaElement()), now_.velocity);
+}
+
+
+void Foam::capsule::membrane::setRates(const timeScheme& scheme)
+{
+    if (!mechanics_->viscous())
+    {
+        return;
+    }
+    if (nOld() == 0)
+    {
+        mechanics_->setRates(timeScheme(), surface(), surface());
+        return;
+    }
+    mechanics_->setRates
+    (
+        scheme,
+        closedSurface(*basis_, old_[0].x),
+        closedSurface(*basis_, old_[nOld() - 1].x)
+    );
 }
 
 

@@ -70,12 +70,14 @@ Foam::capsule::surfaceMechanics::surfaceMechanics
         label(std::ceil(oversampling*degree)),
         bending_.valid() ? 2 : 1
     ),
-    products_(grid_, degree, bending_.valid() ? 5 : 2)
+    products_(grid_, degree, bending_.valid() ? 5 : 2),
+    viscosity_(surfaceViscosity::New(dict))
 {
     // Any three coordinates of the unit sphere in space
     nodalVectors sphere = nodalVectors::Zero(harmonics_.size(), 3);
     sphere(2, 0) = sphere(3, 1) = sphere(1, 2) = 1/std::sqrt(scalar(3));
     setReference(sphere, 1);
+    setRates(timeScheme(), sphere, sphere);
 }
 
 
@@ -147,6 +149,10 @@ Foam::capsule::nodalVectors Foam::capsule::surfaceMechanics::force
         result += grid_.derivative(a).transpose()*resultant;
     }
 
+    if (viscosity_.valid())
+    {
+        addViscousForce(surface, result);
+    }
     if (bending_.valid())
     {
         const surfaceBending::nodalJets g = bending_->gradient(jetsOf(X));
@@ -184,6 +190,10 @@ Foam::capsule::surfaceMechanics::principal
     result.l2 = 0.5*(sum - difference);
     result.T1 = law_->tension(result.l1, result.l2);
     result.T2 = law_->tension(result.l2, result.l1);
+    if (viscosity_.valid())
+    {
+        addViscousTensions(grid, reference, surface, result);
+    }
 
     return result;
 }

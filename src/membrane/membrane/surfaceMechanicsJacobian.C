@@ -15,34 +15,6 @@ License
 
 using Foam::constant::mathematical::pi;
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- The part of a stress S^ab of positive principal values, which are those of
-//  S^ac a_cb; of a surface of metric a_ab and inverse a^ab
-static Foam::capsule::surfaceMetric::tensor2 tensilePart
-(
-    const Foam::capsule::surfaceMetric::tensor2& S,
-    const Foam::capsule::surfaceMetric::tensor2& metric,
-    const Foam::capsule::surfaceMetric::tensor2& inverse
-)
-{
-    const Foam::capsule::surfaceMetric::tensor2 mixed = S*metric;
-    const Foam::scalar mean = 0.5*mixed.trace();
-    const Foam::scalar root =
-        std::sqrt(Foam::max(Foam::sqr(mean) - mixed.determinant(), 0.0));
-
-    if (mean >= root)
-    {
-        return S;
-    }
-    if (mean <= -root)
-    {
-        return Foam::capsule::surfaceMetric::tensor2::Zero();
-    }
-    return (0.5*(mean + root)/root)*(S - (mean - root)*inverse);
-}
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::capsule::surfaceMechanics::addElastic
@@ -86,7 +58,9 @@ void Foam::capsule::surfaceMechanics::addElastic
             2*stress.betaI(k)*xA + J(k)*stress.betaJ(k)*xa;
         const tensor2 S = alpha*A + beta*a;
         const tensor2 turning =
-            fullTangent ? S : tensilePart(S, x.transpose()*x, a);
+            fullTangent
+          ? S
+          : surfaceMetric::tensilePart(S, x.transpose()*x, a);
         const vectorPair twist =
             fullTangent
           ? vectorPair(vectorPair::Zero())
@@ -168,6 +142,11 @@ Foam::capsule::nodalMatrix Foam::capsule::surfaceMechanics::jacobian
     {
         addBending(X, fullTangent, fields);
     }
+    if (viscosity_.valid())
+    {
+        addViscous(X, fullTangent, fields);
+    }
+    const bool symmetric = law_->hasEnergy() && !viscosity_.valid();
 
     nodalMatrix result(3*n, 3*n);
     for (label i = 0; i < 3; ++i)
@@ -175,7 +154,7 @@ Foam::capsule::nodalMatrix Foam::capsule::surfaceMechanics::jacobian
         for (label j = 0; j < 3; ++j)
         {
             result.block(i*n, j*n, n, n) =
-                law_->hasEnergy() && j < i
+                symmetric && j < i
               ? nodalMatrix(result.block(j*n, i*n, n, n).transpose())
               : nodalMatrix(products_.product(fields[3*i + j])/(-4*pi));
         }

@@ -51,6 +51,32 @@ Foam::capsule::nodalScalars Foam::capsule::surfaceMetric::firstInvariant
 }
 
 
+Foam::capsule::surfaceMetric::tensor2
+Foam::capsule::surfaceMetric::tensilePart
+(
+    const tensor2& S,
+    const tensor2& metric,
+    const tensor2& inverse
+)
+{
+    // Principal values are those of S^ac a_cb
+    const tensor2 mixed = S*metric;
+    const scalar mean = 0.5*mixed.trace();
+    const scalar root =
+        std::sqrt(max(sqr(mean) - mixed.determinant(), scalar(0)));
+
+    if (mean >= root)
+    {
+        return S;
+    }
+    if (mean <= -root)
+    {
+        return tensor2::Zero();
+    }
+    return (0.5*(mean + root)/root)*(S - (mean - root)*inverse);
+}
+
+
 Foam::capsule::surfaceMetric::vectorPair
 Foam::capsule::surfaceMetric::tangentsAt(const label node) const
 {

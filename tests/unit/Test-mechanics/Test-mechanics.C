@@ -19,6 +19,7 @@ Description
 
 #include "fvCFD.H"
 #include "shapeTests.H"
+#include "viscosityTests.H"
 
 using namespace Foam;
 using namespace Foam::capsule;
@@ -72,6 +73,10 @@ int main(int argc, char* argv[])
         testJacobian();
         testCompression();
         testBending();
+        testViscousSphere();
+        testViscousTensions();
+        testViscousJacobian();
+        testViscousCompression();
     }
     else
     {

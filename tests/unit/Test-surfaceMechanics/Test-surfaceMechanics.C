@@ -19,6 +19,7 @@ Description
 #include "derivativeTests.H"
 #include "elasticTests.H"
 #include "bendingTests.H"
+#include "viscosityTests.H"
 
 using namespace Foam;
 using namespace Foam::capsule;
@@ -51,6 +52,14 @@ int main()
     testBentWaves();
     testFlatReference();
     testIndependentBending();
+
+    testGrowingSphere();
+    testDissipation();
+    for (const std::string& law : {noTension, laws()[2].entries})
+    {
+        testViscousJacobian(law);
+    }
+    testViscousCompression();
 
     return failed;
 }
