@@ -117,6 +117,9 @@ capsule_environment()
     capsule_check || return 1
     # Where wmake puts the products; OpenFOAM's module scripts set these
     export CAPSULE_SRC=$(cd "$(dirname "${BASH_SOURCE[0]}")/../src" && pwd)
+    # Debug information takes a third of the build's time; other flags, or none:
+    # set CAPSULE_FLAGS
+    export CAPSULE_FLAGS=${CAPSULE_FLAGS--g0}
     export FOAM_MODULE_APPBIN=${FOAM_MODULE_APPBIN:-$FOAM_USER_APPBIN}
     export FOAM_MODULE_LIBBIN=${FOAM_MODULE_LIBBIN:-$FOAM_USER_LIBBIN}
 }
