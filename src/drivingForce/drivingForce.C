@@ -32,7 +32,7 @@ Foam::vector Foam::capsule::drivingForce::readAlongPeriods
     const dictionary& dict,
     const word& entry,
     const dimensionSet& dimensions,
-    const solvedDirections& plane
+    const solvedDirections& directions
 )
 {
     input::permit(dict, {"type", entry});
@@ -52,9 +52,9 @@ Foam::vector Foam::capsule::drivingForce::readAlongPeriods
 
     vector beside(value);
     List<vector> periods;
-    for (const solvedVector& p : plane.images().periods())
+    for (const solvedVector& p : directions.images().periods())
     {
-        periods.append(plane.toVector(p));
+        periods.append(directions.toVector(p));
         beside -= (value & periods.last())/magSqr(periods.last())*periods.last();
     }
     if (periods.empty() || mag(beside) > 1e-9*mag(value))

@@ -34,8 +34,8 @@ Foam::capsule::drivingForces::meanVelocity::meanVelocity
     const fvMesh& mesh
 )
 :
-    plane_(mesh),
-    velocity_(readAlongPeriods(dict, "velocity", dimVelocity, plane_)),
+    directions_(mesh),
+    velocity_(readAlongPeriods(dict, "velocity", dimVelocity, directions_)),
     gradient_
     (
         IOobject
@@ -67,9 +67,9 @@ Foam::capsule::drivingForces::meanVelocity::meanVelocity
 Foam::vectorField Foam::capsule::drivingForces::meanVelocity::fixed() const
 {
     vectorField directions;
-    for (const solvedVector& p : plane_.images().periods())
+    for (const solvedVector& p : directions_.images().periods())
     {
-        directions.append(plane_.toVector(p.normalized()));
+        directions.append(directions_.toVector(p.normalized()));
     }
     return directions;
 }

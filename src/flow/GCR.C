@@ -52,7 +52,7 @@ void Foam::capsule::GCR::addDirection
     unpack(d.unknowns);
     d.residual = atRest - residual(UEqn, extra);
 
-    for (const searchDirection& other : directions_)
+    for (const searchDirection& other : searchDirections_)
     {
         const scalar share = globalDot(d.residual, other.residual);
         d.residual -= share*other.residual;
@@ -62,11 +62,11 @@ void Foam::capsule::GCR::addDirection
     d.residual /= length;
     d.unknowns /= length;
 
-    while (label(directions_.size()) >= maxDirections_)
+    while (label(searchDirections_.size()) >= maxDirections_)
     {
-        directions_.pop_front();
+        searchDirections_.pop_front();
     }
-    directions_.push_back(std::move(d));
+    searchDirections_.push_back(std::move(d));
 }
 
 
@@ -102,7 +102,7 @@ Foam::string Foam::capsule::GCR::converge
         x += step*d.unknowns;
         r -= step*d.residual;
     };
-    for (const searchDirection& d : directions_)
+    for (const searchDirection& d : searchDirections_)
     {
         addAlong(d);
     }
@@ -115,7 +115,7 @@ Foam::string Foam::capsule::GCR::converge
         {
             ++iter;
             addDirection(UEqn, extra, r, atRest, reference);
-            addAlong(directions_.back());
+            addAlong(searchDirections_.back());
         }
 
         // Round-off apart, the residual is that of the directions
@@ -207,7 +207,7 @@ Foam::capsule::GCR::convectingFlux() const
 
 void Foam::capsule::GCR::begin(const fvVectorMatrix& UEqn)
 {
-    directions_.clear();
+    searchDirections_.clear();
     forceResponsesKnown_ = false;
     unsolvedResponse_.clear();
     set(UEqn);
@@ -218,7 +218,7 @@ void Foam::capsule::GCR::begin(const fvVectorMatrix& UEqn)
 void Foam::capsule::GCR::restore()
 {
     flowSolver::restore();
-    directions_.clear();
+    searchDirections_.clear();
     forceResponses_.clear();
     forceResponsesKnown_ = false;
 }

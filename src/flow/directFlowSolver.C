@@ -83,13 +83,13 @@ void Foam::capsule::directFlowSolver::precondition
     nodalScalars b(3*mesh_.nCells());
     forAll(momentum, celli)
     {
-        b.segment<2>(3*celli) = plane_(momentum[celli]).transpose();
+        b.segment<2>(3*celli) = directions_(momentum[celli]).transpose();
         b(3*celli + 2) = continuity[celli];
     }
     const nodalScalars x = factors_.solve(b);
     forAll(momentum, celli)
     {
-        dU[celli] = plane_.toVector(x.segment<2>(3*celli));
+        dU[celli] = directions_.toVector(x.segment<2>(3*celli));
         dp[celli] = x(3*celli + 2);
     }
 }
@@ -125,7 +125,7 @@ Foam::capsule::directFlowSolver::directFlowSolver
             << "Entry solver is direct, which runs on one processor only;"
             << " in parallel: fractionalStep" << exit(FatalIOError);
     }
-    if (plane_.size() == 3)
+    if (directions_.size() == 3)
     {
         FatalIOErrorInFunction(dict)
             << "Entry solver is direct, which is for plane meshes and wedges;"

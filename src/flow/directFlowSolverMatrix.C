@@ -50,7 +50,7 @@ Foam::capsule::directFlowSolver::links(const fvVectorMatrix& UEqn) const
         forAll(here, i)
         {
             // The same for all components without a rotation
-            const direction d = plane_.axis(0);
+            const direction d = directions_.axis(0);
             result.append
             ({
                 here[i], there[i],
@@ -72,7 +72,7 @@ Foam::capsule::directFlowSolver::gradient
     const label axis
 ) const
 {
-    const direction d = plane_.axis(axis);
+    const direction d = directions_.axis(axis);
     const scalarField& V = mesh_.V();
     triplets entries;
     entries.reserve(4*links.size());
@@ -133,7 +133,7 @@ void Foam::capsule::directFlowSolver::addMomentum
             const vectorField& coeffs = UEqn.internalCoeffs()[patchi];
             forAll(coeffs, i)
             {
-                diag[cells[i]] += coeffs[i][plane_.axis(axis)];
+                diag[cells[i]] += coeffs[i][directions_.axis(axis)];
             }
         }
         for (label celli = 0; celli < n; ++celli)
@@ -181,7 +181,7 @@ void Foam::capsule::directFlowSolver::addFlux
 {
     for (label axis = 0; axis < 2; ++axis)
     {
-        const scalar s = share*S[plane_.axis(axis)]/mesh_.V()[row];
+        const scalar s = share*S[directions_.axis(axis)]/mesh_.V()[row];
         entries.push_back(triplet(3*row + 2, 3*celli + axis, s));
         for (sparseRows::InnerIterator it(grad[axis], celli); it; ++it)
         {

@@ -54,7 +54,7 @@ void Foam::capsule::flowEquations::setReference(const dictionary& dict)
 
 void Foam::capsule::flowEquations::checkHeld() const
 {
-    bool held = plane_.images().periods().size() < plane_.size();
+    bool held = directions_.images().periods().size() < directions_.size();
     for (const fvPatchVectorField& pf : U_.boundaryField())
     {
         held = held || pf.fixesValue();
@@ -79,7 +79,7 @@ void Foam::capsule::flowEquations::set(const fvVectorMatrix& UEqn)
 
     // Both residuals as velocities: h^2/mu times force, h times divergence
     momentumScale_ = rAU.primitiveField();
-    continuityScale_ = plane_.widths(mesh_);
+    continuityScale_ = directions_.widths(mesh_);
 
     // Pressure over divergence: the reference equation in the same units
     pressureScale_ = gMax(sqr(continuityScale_)/momentumScale_);
@@ -206,14 +206,14 @@ Foam::capsule::nodalScalars Foam::capsule::flowEquations::packed
     const scalarField& p
 ) const
 {
-    const label n = plane_.size();
+    const label n = directions_.size();
     nodalScalars x((n + 1)*U.size());
     scalar* unknown = x.data();
     forAll(U, celli)
     {
         for (label i = 0; i < n; ++i)
         {
-            *unknown++ = U[celli][plane_.axis(i)];
+            *unknown++ = U[celli][directions_.axis(i)];
         }
         *unknown++ = p[celli];
     }
@@ -228,14 +228,14 @@ void Foam::capsule::flowEquations::unpack
     scalarField& p
 ) const
 {
-    const label n = plane_.size();
+    const label n = directions_.size();
     const scalar* unknown = x.data();
     forAll(U, celli)
     {
         U[celli] = Zero;
         for (label i = 0; i < n; ++i)
         {
-            U[celli][plane_.axis(i)] = *unknown++;
+            U[celli][directions_.axis(i)] = *unknown++;
         }
         p[celli] = *unknown++;
     }
@@ -307,7 +307,7 @@ Foam::capsule::flowEquations::flowEquations
 )
 :
     mesh_(U.mesh()),
-    plane_(mesh_),
+    directions_(mesh_),
     U_(U),
     p_(p),
     phi_(phi),

@@ -84,9 +84,9 @@ Foam::scalar Foam::capsule::fractionalStep::wallFriction() const
     }
     // In space walls that face in one direction are plates
     const bool plates =
-        plane_.spatial()
+        directions_.spatial()
       ? magSqr(facing) > 0.8*sqr(walls)
-      : !plane_.axisymmetric();
+      : !directions_.axisymmetric();
     const scalar perDiameter = walls/(4*gSum(mesh_.V().field()));
 
     return (plates ? 48 : 32)*sqr(perDiameter);
@@ -133,7 +133,7 @@ void Foam::capsule::fractionalStep::setPreconditioner(const fvVectorMatrix& UEqn
             const labelUList& cells = mesh_.boundary()[patchi].faceCells();
             forAll(cells, i)
             {
-                const label axis = plane_.axis(0);
+                const label axis = directions_.axis(0);
                 sum[cells[i]] +=
                     UEqn.internalCoeffs()[patchi][i][axis]
                   - UEqn.boundaryCoeffs()[patchi][i][axis];

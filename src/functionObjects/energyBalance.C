@@ -37,9 +37,9 @@ const char* const Foam::functionObjects::energyBalance::notKnown_ = "nan";
 const char* Foam::functionObjects::energyBalance::unit() const
 {
     // Before there are membranes, when it runs afterwards
-    const capsule::solvedDirections plane(mesh_);
+    const capsule::solvedDirections directions(mesh_);
 
-    return plane.axisymmetric() || plane.spatial() ? " [W]" : " [W/m]";
+    return directions.axisymmetric() || directions.spatial() ? " [W]" : " [W/m]";
 }
 
 
@@ -238,7 +238,7 @@ bool Foam::functionObjects::energyBalance::write()
     {
         takeWrittenBoundaries();
     }
-    const scalar sector = system.plane().sector();
+    const scalar sector = system.directions().sector();
     const scalarField& V = mesh_.V();
 
     const volTensorField gradient(system.velocityGradient());

@@ -74,7 +74,7 @@ void Foam::functionObjects::extraPressureDrop::readPatches
                 << " constant/drivingForce drives; without them the drop is"
                 << " that over the period of the mesh" << exit(FatalIOError);
         }
-        if (membranes().plane().images().periods().size() != 1)
+        if (membranes().directions().images().periods().size() != 1)
         {
             FatalIOErrorInFunction(dict)
                 << "Entry type: " << type() << " of a driven flow needs a mesh"
@@ -84,7 +84,7 @@ void Foam::functionObjects::extraPressureDrop::readPatches
         return;
     }
 
-    if (!named && membranes().plane().images().periods().size())
+    if (!named && membranes().directions().images().periods().size())
     {
         FatalIOErrorInFunction(dict)
             << "Entries inlet and outlet are missing; only a flow that"
@@ -112,8 +112,8 @@ Foam::functionObjects::extraPressureDrop::membranes() const
 
 Foam::vector Foam::functionObjects::extraPressureDrop::period() const
 {
-    const capsule::solvedDirections& plane = membranes().plane();
-    return plane.toVector(plane.images().periods()[0]);
+    const capsule::solvedDirections& directions = membranes().directions();
+    return directions.toVector(directions.images().periods()[0]);
 }
 
 
@@ -176,7 +176,7 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
     using capsule::nodalVectors;
 
     // Mean gradient of the empty channel, which its pressure is without
-    const capsule::solvedVector mean = system.plane()
+    const capsule::solvedVector mean = system.directions()
     (
         driven()
       ? vector(-emptyDrop_/magSqr(period())*period())
@@ -197,7 +197,7 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
                 system.fit(i).smooth(*emptyU_, *emptyp_).value
                .leftCols(surface.nComponents());
             power -=
-                system.plane().sector()*surface.integral(dot(m.now().force, u0));
+                system.directions().sector()*surface.integral(dot(m.now().force, u0));
             continue;
         }
         const nodalVectors& n = surface.normal();
@@ -217,7 +217,7 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
         );
 
         power +=
-            system.plane().sector()
+            system.directions().sector()
            *surface.integral
             (
                 (m.viscosity()/mu_ - 1)*dot(U, traction)

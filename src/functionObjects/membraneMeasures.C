@@ -66,7 +66,7 @@ Foam::functionObjects::membraneMeasures::membranes() const
 Foam::List<const char*>
 Foam::functionObjects::membraneMeasures::columns() const
 {
-    if (membranes().plane().axisymmetric())
+    if (membranes().directions().axisymmetric())
     {
         return
         {
@@ -76,7 +76,7 @@ Foam::functionObjects::membraneMeasures::columns() const
             "gap", "taylorDeformation", "elasticEnergy", "power"
         };
     }
-    if (membranes().plane().spatial())
+    if (membranes().directions().spatial())
     {
         return
         {
@@ -188,16 +188,16 @@ void Foam::functionObjects::membraneMeasures::writeVtk
     const capsule::membrane& m
 ) const
 {
-    const capsule::solvedDirections& plane = membranes().plane();
-    const capsule::membraneVtk vtk(m, plane);
+    const capsule::solvedDirections& directions = membranes().directions();
+    const capsule::membraneVtk vtk(m, directions);
     const fileName dir(baseTimeDir());
     mkDir(dir);
-    if (!plane.spatial())
+    if (!directions.spatial())
     {
         vtk.writeLine(dir/m.name() + ".vtk");
         writeSeries(m.name() + ".vtk");
     }
-    if (plane.axisymmetric() || plane.spatial())
+    if (directions.axisymmetric() || directions.spatial())
     {
         vtk.writeSurface(dir/m.name() + ".surface.vtk");
         writeSeries(m.name() + ".surface.vtk");
@@ -276,7 +276,7 @@ bool Foam::functionObjects::membraneMeasures::write()
 
     // Walls of all processors
     scalarList gaps(system.size(), Zero);
-    if (system.plane().axisymmetric() || system.plane().spatial())
+    if (system.directions().axisymmetric() || system.directions().spatial())
     {
         forAll(gaps, i)
         {

@@ -112,13 +112,13 @@ Foam::vector Foam::capsule::membraneVtk::turned
     const station& s
 ) const
 {
-    if (!plane_.axisymmetric())
+    if (!directions_.axisymmetric())
     {
-        return plane_.toVector(v);
+        return directions_.toVector(v);
     }
-    const vector along = plane_.toVector(vector2(v(0), 0));
-    const vector away = plane_.toVector(vector2(0, v(1)));
-    const vector axis = plane_.toVector(vector2(1, 0));
+    const vector along = directions_.toVector(vector2(v(0), 0));
+    const vector away = directions_.toVector(vector2(0, v(1)));
+    const vector axis = directions_.toVector(vector2(1, 0));
 
     return along + s.cosine*away + s.sine*(axis ^ away);
 }
@@ -132,15 +132,15 @@ void Foam::capsule::membraneVtk::writePoints
 ) const
 {
     // Turned about the axis
-    solvedVector axis(solvedVector::Zero(plane_.size()));
-    if (plane_.axisymmetric())
+    solvedVector axis(solvedVector::Zero(directions_.size()));
+    if (directions_.axisymmetric())
     {
-        axis(1) = plane_.axisAt();
+        axis(1) = directions_.axisAt();
     }
-    const point origin = plane_.toPoint(axis);
+    const point origin = directions_.toPoint(axis);
     for (const station& s : at)
     {
-        const solvedVector x = fields.row(s.row).head(plane_.size());
+        const solvedVector x = fields.row(s.row).head(directions_.size());
         writeVector(origin + turned(x - axis, s), os);
     }
 }
@@ -153,7 +153,7 @@ void Foam::capsule::membraneVtk::writeFields
     Ostream& os
 ) const
 {
-    const label d = plane_.size();
+    const label d = directions_.size();
 
     // After the points
     label column = d;
@@ -248,16 +248,16 @@ void Foam::capsule::membraneVtk::writeSpatial(Ostream& os) const
 Foam::capsule::membraneVtk::membraneVtk
 (
     const membrane& m,
-    const solvedDirections& plane
+    const solvedDirections& directions
 )
 :
     membrane_(m),
-    plane_(plane),
+    directions_(directions),
     surface_(m.surface())
 {
     const solvedVector centre = surface_.centroid();
     fields_ =
-        surface_.nodes().rowwise() + (plane.images().wrapped(centre) - centre);
+        surface_.nodes().rowwise() + (directions.images().wrapped(centre) - centre);
 
     addVectors("velocity", m.now().velocity);
     addVectors("force", m.force(surface_, surface_.areaElement()));
@@ -306,7 +306,7 @@ void Foam::capsule::membraneVtk::writeLine(const fileName& file) const
 void Foam::capsule::membraneVtk::writeSurface(const fileName& file) const
 {
     OFstream os(file);
-    if (plane_.spatial())
+    if (directions_.spatial())
     {
         writeSpatial(os);
     }

@@ -133,7 +133,7 @@ bool Foam::functionObjects::wallStress::write()
     const auto& system =
         mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
     const auto& p = mesh_.lookupObject<volScalarField>("p");
-    const scalar sector = system.plane().sector();
+    const scalar sector = system.directions().sector();
     const volTensorField gradient(system.velocityGradient());
     const volScalarField viscosity(system.viscosity());
 

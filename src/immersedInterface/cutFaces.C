@@ -105,7 +105,7 @@ bool Foam::capsule::cutFaces::clear
     const fvMesh& mesh = levelSet_.mesh();
     const auto isClear = [&](const label celli, const scalar distance)
     {
-        const solvedVector x = levelSet_.plane()(mesh.cellCentres()[celli]);
+        const solvedVector x = levelSet_.directions()(mesh.cellCentres()[celli]);
         return
             sqr(distance)
           > (corners.rowwise() - x).rowwise().squaredNorm().maxCoeff();
@@ -184,14 +184,14 @@ void Foam::capsule::cutFaces::add(const label facei)
     const scalar sideN = (atN < 0 ? -1 : 1);
     const nodalVectors corners
     (
-        levelSet_.plane().corners(mesh.points(), mesh.faces()[facei])
+        levelSet_.directions().corners(mesh.points(), mesh.faces()[facei])
     );
     if (sideP == sideN && clear(facei, P, N, corners))
     {
         return;
     }
 
-    faceParts::located centre(levelSet_, levelSet_.plane()(mesh.faceCentres()[facei]));
+    faceParts::located centre(levelSet_, levelSet_.directions()(mesh.faceCentres()[facei]));
     if (mag(centre.distance) < 1e-10*levelSet_.width())
     {
         // The two halves of a coupled face must agree, whatever the round-off

@@ -33,13 +33,13 @@ Foam::Pair<Foam::capsule::faceParts::located> Foam::capsule::faceParts::ends
 {
     const fvMesh& mesh = levelSet_.mesh();
     const face& f = mesh.faces()[facei];
-    const Pair<vector2> ends(levelSet_.plane().ends(mesh.points(), f));
+    const Pair<vector2> ends(levelSet_.directions().ends(mesh.points(), f));
 
     // Known by the lowest point of the mesh there, front or back
     labelPair lowest(labelMax, labelMax);
     for (const label pointi : f)
     {
-        const vector2 x = levelSet_.plane()(mesh.points()[pointi]);
+        const vector2 x = levelSet_.directions()(mesh.points()[pointi]);
         const bool second =
             (x - ends.second()).norm() < (x - ends.first()).norm();
         label& p = second ? lowest.second() : lowest.first();
@@ -137,7 +137,7 @@ void Foam::capsule::faceParts::addLine
         append
         (
             facei,
-            -length*levelSet_.plane().thickness(x)/area*side,
+            -length*levelSet_.directions().thickness(x)/area*side,
             x,
             endFar ? end.foot : centre.foot
         );
@@ -183,7 +183,7 @@ void Foam::capsule::faceParts::addTriangle
     middle /= max(n, label(1));
 
     const scalar area = mag(levelSet_.mesh().faceAreas()[facei]);
-    const solvedDirections& directions = levelSet_.plane();
+    const solvedDirections& directions = levelSet_.directions();
     for (label i = 0; i < n; ++i)
     {
         const solvedVector& a = polygon[i];
@@ -209,7 +209,7 @@ void Foam::capsule::faceParts::add
 {
     // From the centre to each corner, or between two of them, at most one
     // crossing is looked for
-    if (!levelSet_.plane().spatial())
+    if (!levelSet_.directions().spatial())
     {
         const Pair<located> ends(this->ends(facei));
         addLine(facei, centre, ends.first(), side);
@@ -222,7 +222,7 @@ void Foam::capsule::faceParts::add
     bool far = (centre.distance*side < 0);
     for (const label pointi : f)
     {
-        const solvedVector x = levelSet_.plane()(mesh.points()[pointi]);
+        const solvedVector x = levelSet_.directions()(mesh.points()[pointi]);
         far = (corner(x, pointi).distance*side < 0) || far;
     }
     if (!far)

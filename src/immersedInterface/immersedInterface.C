@@ -53,12 +53,12 @@ Foam::capsule::immersedInterface::immersedInterface
 (
     const word& name,
     const fvMesh& mesh,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const closedSurface& surface,
     const scalar bandWidth
 )
 :
-    levelSet_(name, mesh, plane, surface, bandWidth),
+    levelSet_(name, mesh, directions, surface, bandWidth),
     faces_(levelSet_),
     cells_(faces_.cells()),
     cutVolume_(0),
@@ -87,7 +87,7 @@ Foam::capsule::immersedInterface::immersedInterface
 Foam::vector Foam::capsule::immersedInterface::jumpU(const label celli) const
 {
     const label i = levelSet_.inBand(celli);
-    return i == -1 ? vector(Zero) : levelSet_.plane().toVector(U_.row(i));
+    return i == -1 ? vector(Zero) : levelSet_.directions().toVector(U_.row(i));
 }
 
 
@@ -104,38 +104,38 @@ void Foam::capsule::immersedInterface::setJumps(const jumpConditions& jumps)
     // e along the plane e e/12, in a wedge e e/12 (1 - (e.e_r)^2/(12 r^2)) with
     // r its middle, in space the sum for two sides e of a rectangle
     const fvMesh& mesh = levelSet_.mesh();
-    const solvedDirections& plane = levelSet_.plane();
+    const solvedDirections& directions = levelSet_.directions();
     const label n = faces_.farSideLinks().size();
-    nodalVectors normal(n, plane.size());
-    nodalVectors across(n, plane.size());
+    nodalVectors normal(n, directions.size());
+    nodalVectors across(n, directions.size());
     nodalVectors along[2];
-    for (label k = 0; k < plane.size() - 1; ++k)
+    for (label k = 0; k < directions.size() - 1; ++k)
     {
-        along[k].resize(n, plane.size());
+        along[k].resize(n, directions.size());
     }
     nodalScalars weight(n);
     for (label i = 0; i < n; ++i)
     {
         const cutFaces::cutLink& v = faces_.links()[faces_.farSideLinks()[i]];
-        const solvedVector S = plane(cutFaces::value(mesh.Sf(), v.face));
+        const solvedVector S = directions(cutFaces::value(mesh.Sf(), v.face));
         normal.row(i) = S.normalized();
         across.row(i) = faces_.acrossFace(v.face);
         const nodalVectors corners =
-            plane.corners(mesh.points(), mesh.faces()[v.face]);
-        for (label k = 0; k < plane.size() - 1; ++k)
+            directions.corners(mesh.points(), mesh.faces()[v.face]);
+        for (label k = 0; k < directions.size() - 1; ++k)
         {
             along[k].row(i) = corners.row(k + 1) - corners.row(k);
         }
-        if (plane.axisymmetric())
+        if (directions.axisymmetric())
         {
-            const scalar r = plane.radius(corners.colwise().mean());
+            const scalar r = directions.radius(corners.colwise().mean());
             along[0].row(i) *= Foam::sqrt(1 - sqr(along[0](i, 1)/r)/12);
         }
         weight(i) = 0.5*v.weight*(1 - v.weight);
     }
     nodalVectors error =
         scaled(weight, jumps.velocityCurvature(centres_, across));
-    for (label k = 0; k < plane.size() - 1; ++k)
+    for (label k = 0; k < directions.size() - 1; ++k)
     {
         error -= jumps.velocityCurvature(centres_, along[k])/24;
     }
@@ -256,7 +256,7 @@ void Foam::capsule::immersedInterface::addFlux
     {
         const cutFaces::cutLink& v = faces_.links()[faces_.owners()[i]];
         const vector& S = cutFaces::value(mesh.Sf(), v.face);
-        const vector gradp = levelSet_.plane().toVector(gradp_.row(i));
+        const vector gradp = levelSet_.directions().toVector(gradp_.row(i));
         const scalar snGradp =
             v.sign*cutFaces::value(mesh.nonOrthDeltaCoeffs(), v.face)
            *p_(v.neighbour);
@@ -272,7 +272,7 @@ void Foam::capsule::immersedInterface::addFlux
     forAll(faces_.farSideParts(), i)
     {
         const faceParts::farSidePart& b = faces_.farSideParts()[i];
-        const vector U = levelSet_.plane().toVector(farSideU_.row(i));
+        const vector U = levelSet_.directions().toVector(farSideU_.row(i));
         addOnFace
         (
             flux, b.face, b.weight*(U & cutFaces::value(mesh.Sf(), b.face))

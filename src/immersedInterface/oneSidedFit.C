@@ -63,7 +63,7 @@ Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::fit
 {
     const membraneLevelSet& levelSet = interface_.levelSet();
     const labelUList& cells = levelSet.cells();
-    const label d = levelSet.plane().size();
+    const label d = levelSet.directions().size();
     const label fields = (p ? d + 1 : d);
 
     // Values as the side sees them
@@ -74,7 +74,7 @@ Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::fit
         const scalar cellSide = (levelSet.distance()(i) < 0 ? -1 : 1);
         const scalar beyond = (jumping && cellSide != side_ ? cellSide : 0);
 
-        solvedVector u = levelSet.plane()(U[celli]);
+        solvedVector u = levelSet.directions()(U[celli]);
         if (beyond != 0)
         {
             u -= beyond*interface_.jumpU().row(i);
@@ -163,7 +163,7 @@ Foam::capsule::nodalMatrix Foam::capsule::oneSidedFit::bandCells() const
     const membraneLevelSet& levelSet = interface_.levelSet();
     const labelUList& cells = levelSet.cells();
     const cellSearch& search = cellSearch::New(levelSet.mesh());
-    const label d = levelSet.plane().size();
+    const label d = levelSet.directions().size();
     nodalMatrix local(cells.size(), d + 1 + 2*d*d);
     forAll(cells, i)
     {
@@ -178,7 +178,7 @@ Foam::capsule::nodalMatrix Foam::capsule::oneSidedFit::bandCells() const
         }
     }
     nodalMatrix all = gather(local);
-    if (levelSet.plane().axisymmetric())
+    if (levelSet.directions().axisymmetric())
     {
         const label n = all.rows();
         all.conservativeResize(2*n, all.cols());
@@ -186,7 +186,7 @@ Foam::capsule::nodalMatrix Foam::capsule::oneSidedFit::bandCells() const
         for (label i = n; i < 2*n; ++i)
         {
             all.row(i).head(d) =
-                levelSet.plane().mirrored(all.row(i).head(d));
+                levelSet.directions().mirrored(all.row(i).head(d));
         }
         for (const label odd : {4, 5, 8, 9})
         {
@@ -307,7 +307,7 @@ void Foam::capsule::oneSidedFit::setNode
     {
         FatalErrorInFunction
             << "Only " << near.size() << " cells around the membrane "
-            << levelSet.name() << " at " << levelSet.plane().toPoint(x)
+            << levelSet.name() << " at " << levelSet.directions().toPoint(x)
             << ": it has left the mesh or touches a wall"
             << exit(FatalError);
     }

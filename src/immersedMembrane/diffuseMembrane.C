@@ -49,7 +49,7 @@ void Foam::capsule::diffuseMembrane::place(const nodalVectors& nodes)
         (
             membrane_.name(),
             mesh_,
-            plane_,
+            directions_,
             closedSurface(membrane_.basis(), nodes),
             bandWidth_
         )
@@ -57,7 +57,7 @@ void Foam::capsule::diffuseMembrane::place(const nodalVectors& nodes)
     interface_.clear();
     fit_.clear();
     delta_ = evaluated(nodes);
-    if (plane_.spatial())
+    if (directions_.spatial())
     {
         setSpreading();
     }
@@ -123,10 +123,10 @@ Foam::capsule::nodalVectors Foam::capsule::diffuseMembrane::interpolate
 ) const
 {
     const labelUList& cells = levelSet_->cells();
-    nodalVectors local(cells.size(), plane_.size());
+    nodalVectors local(cells.size(), directions_.size());
     forAll(cells, i)
     {
-        local.row(i) = plane_(U[cells[i]]);
+        local.row(i) = directions_(U[cells[i]]);
     }
     nodalVectors result = delta_*local;
     for (scalar& value : UList<scalar>(result.data(), result.size()))
@@ -143,15 +143,15 @@ Foam::capsule::diffuseMembrane::diffuseMembrane
 (
     const word& name,
     const dictionary& dict,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const fvMesh& mesh,
     const scalar density,
     const scalar viscosity
 )
 :
-    immersedMembrane(name, dict, plane, mesh, density, viscosity)
+    immersedMembrane(name, dict, directions, mesh, density, viscosity)
 {
-    if (plane.axisymmetric())
+    if (directions.axisymmetric())
     {
         FatalIOErrorInFunction(dict)
             << "Entry interface of coupling is diffuse, which is not for"
@@ -170,7 +170,7 @@ const Foam::capsule::oneSidedFit& Foam::capsule::diffuseMembrane::fit() const
         (
             new immersedInterface
             (
-                membrane_.name(), mesh_, plane_, surface(), oneSidedFit::radius
+                membrane_.name(), mesh_, directions_, surface(), oneSidedFit::radius
             )
         );
         fit_.reset(new oneSidedFit(*interface_, -1));
@@ -267,7 +267,7 @@ void Foam::capsule::diffuseMembrane::addSources
     const nodalVectors perParameters =
         scaled(surface().areaElement(), membrane_.now().force);
     const nodalVectors spread =
-        plane_.spatial()
+        directions_.spatial()
       ? nodalVectors
         (
             spreading_.transpose()
@@ -282,7 +282,7 @@ void Foam::capsule::diffuseMembrane::addSources
     {
         const label celli = levelSet_->cells()[i];
         sources.momentum[celli] +=
-            plane_.toVector(spread.row(i))
-           *(plane_.sector()/mesh_.V()[celli]);
+            directions_.toVector(spread.row(i))
+           *(directions_.sector()/mesh_.V()[celli]);
     }
 }

@@ -170,7 +170,7 @@ Foam::capsule::immersedMembrane::immersedMembrane
 (
     const word& name,
     const dictionary& dict,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const fvMesh& mesh,
     const scalar density,
     const scalar viscosity
@@ -180,10 +180,10 @@ Foam::capsule::immersedMembrane::immersedMembrane
     forceNoise_(0),
     implicit_(true),
     mesh_(mesh),
-    plane_(plane),
+    directions_(directions),
     rho_(density),
     mu_(viscosity),
-    membrane_(name, dict, plane, mesh),
+    membrane_(name, dict, directions, mesh),
     ratio_(membrane_.viscosity()/viscosity)
 {
     setFlowScheme();
@@ -212,7 +212,7 @@ Foam::capsule::immersedMembrane::New
     const dictionary& coupling,
     const word& name,
     const dictionary& dict,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const fvMesh& mesh,
     const scalar density,
     const scalar viscosity
@@ -231,7 +231,7 @@ Foam::capsule::immersedMembrane::New
             *dictionaryConstructorTablePtr_
         ) << exit(FatalIOError);
     }
-    return cstrIter()(name, dict, plane, mesh, density, viscosity);
+    return cstrIter()(name, dict, directions, mesh, density, viscosity);
 }
 
 

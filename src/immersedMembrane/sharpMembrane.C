@@ -39,7 +39,7 @@ Foam::capsule::immersedInterface* Foam::capsule::sharpMembrane::makeInterface
     (
         membrane_.name(),
         mesh_,
-        plane_,
+        directions_,
         closedSurface(membrane_.basis(), nodes),
         oneSidedFit::radius
     );
@@ -126,13 +126,13 @@ Foam::capsule::sharpMembrane::sharpMembrane
 (
     const word& name,
     const dictionary& dict,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const fvMesh& mesh,
     const scalar density,
     const scalar viscosity
 )
 :
-    immersedMembrane(name, dict, plane, mesh, density, viscosity),
+    immersedMembrane(name, dict, directions, mesh, density, viscosity),
     scaling_(ratio_),
     U_(nullptr)
 {}
@@ -302,10 +302,10 @@ void Foam::capsule::sharpMembrane::addSources
         // missing of the membrane's resultant would show as noise of the
         // pressure drop
         const vector resultant =
-            plane_.sector()*plane_.toVector(surface().resultant(f));
+            directions_.sector()*directions_.toVector(surface().resultant(f));
         interface_->addForce
         (
-            resultant - plane_.conserved(found), sources.momentum
+            resultant - directions_.conserved(found), sources.momentum
         );
     }
 }

@@ -43,7 +43,7 @@ void Foam::capsule::membraneLevelSet::setCells
     for (const label celli : candidates)
     {
         const solvedVector x = image(centres[celli]);
-        const point c = plane_.toPoint(x);
+        const point c = directions_.toPoint(x);
         pointIndexHit hit = tree_->findNearest(c, sqr(reach));
         scalar distance;
         if (hit.hit())
@@ -59,7 +59,7 @@ void Foam::capsule::membraneLevelSet::setCells
             // Far off, the nearest sample tells the side
             hit = tree_->findNearest(c, sqr(GREAT));
             distance =
-                (x - plane_(hit.hitPoint())).dot(normals.row(hit.index()));
+                (x - directions_(hit.hitPoint())).dot(normals.row(hit.index()));
         }
         if (distance < 0)
         {
@@ -78,29 +78,29 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
 (
     const word& name,
     const fvMesh& mesh,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const closedSurface& surface,
     const scalar bandWidth
 )
 :
     name_(name),
     mesh_(mesh),
-    plane_(plane),
+    directions_(directions),
     surface_(surface),
     parameters_(surface.basis().samples()),
     samples_(parameters_.size()),
     width_(0),
     band_(0),
-    centre_(plane.size())
+    centre_(directions.size())
 {
-    nodalVectors normals(samples_.size(), plane.size());
+    nodalVectors normals(samples_.size(), directions.size());
     forAll(samples_, i)
     {
         const surfacePoint sample = surface.expand(parameters_[i]);
-        samples_[i] = plane.toPoint(sample.x);
+        samples_[i] = directions.toPoint(sample.x);
         normals.row(i) = closedSurface::normal(sample);
     }
-    centre_ = plane(boundBox(samples_, false).midpoint());
+    centre_ = directions(boundBox(samples_, false).midpoint());
 
     // Geometry that the processors make together: not later, on those alone
     // that hold a part of the membrane
@@ -125,11 +125,11 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     const scalar sampleSpacing = surface.sampleSpacing();
     const List<solvedVector> images
     (
-        plane.images().images(centre_, plane.images().wrapped(centre_))
+        directions.images().images(centre_, directions.images().wrapped(centre_))
     );
     const auto boxAround = [&](const scalar margin, const solvedVector& image)
     {
-        const vector shift(plane.toVector(image - centre_));
+        const vector shift(directions.toVector(image - centre_));
         boundBox box(samples_, false);
         box.min() += shift - vector::uniform(margin);
         box.max() += shift + vector::uniform(margin);
@@ -163,8 +163,8 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
         const scalar h = search.ofCell(celli).largest();
         const solvedVector x = image(centres[celli]);
         const pointIndexHit hit =
-            tree_->findNearest(plane.toPoint(x), sqr(h + sampleSpacing));
-        if (hit.hit() && sees(plane(hit.hitPoint()), x))
+            tree_->findNearest(directions.toPoint(x), sqr(h + sampleSpacing));
+        if (hit.hit() && sees(directions(hit.hitPoint()), x))
         {
             width_ = max(width_, h);
         }
@@ -189,9 +189,9 @@ Foam::scalar Foam::capsule::membraneLevelSet::signedDistance
     solvedVector nearest = x;
     label sample = -1;
     scalar bound = sqr(GREAT);
-    for (const solvedVector& image : plane_.images().images(x, centre_))
+    for (const solvedVector& image : directions_.images().images(x, centre_))
     {
-        const point c = plane_.toPoint(image);
+        const point c = directions_.toPoint(image);
         const pointIndexHit hit = tree_->findNearest(c, bound);
         if (hit.hit())
         {
@@ -212,7 +212,7 @@ Foam::scalar Foam::capsule::membraneLevelSet::signedDistanceFrom
     surfaceParameter& foot
 ) const
 {
-    return surface_.signedDistance(plane_.images().image(x, centre_), foot);
+    return surface_.signedDistance(directions_.images().image(x, centre_), foot);
 }
 
 
@@ -235,7 +235,7 @@ Foam::tmp<Foam::volScalarField> Foam::capsule::membraneLevelSet::near() const
             if (mag(pf[i]) < band_)
             {
                 surfaceParameter foot;
-                const scalar d = signedDistance(plane_(faces[i]), foot);
+                const scalar d = signedDistance(directions_(faces[i]), foot);
                 pf[i] = max(-band_, min(band_, d));
             }
         }
@@ -253,7 +253,7 @@ Foam::tmp<Foam::volScalarField> Foam::capsule::membraneLevelSet::whole() const
     forAll(field, celli)
     {
         surfaceParameter foot;
-        field[celli] *= mag(signedDistance(plane_(mesh_.C()[celli]), foot));
+        field[celli] *= mag(signedDistance(directions_(mesh_.C()[celli]), foot));
     }
     forAll(field.boundaryField(), patchi)
     {
@@ -262,7 +262,7 @@ Foam::tmp<Foam::volScalarField> Foam::capsule::membraneLevelSet::whole() const
         forAll(pf, i)
         {
             surfaceParameter foot;
-            pf[i] = signedDistance(plane_(faces[i]), foot);
+            pf[i] = signedDistance(directions_(faces[i]), foot);
         }
     }
 

@@ -114,7 +114,7 @@ void Foam::capsule::membraneSystem::correct(const bool solved)
 
     addProfiling(correct, "capsule::membraneSystem::correct");
 
-    const solvedVector driving = plane_(driving_.force());
+    const solvedVector driving = directions_(driving_.force());
     scalar stress = 0;
     scalar displacement = 0;
     scalar offset = 0;

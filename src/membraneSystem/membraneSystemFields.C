@@ -58,7 +58,7 @@ void Foam::capsule::membraneSystem::addDriven
     const bool inverse
 ) const
 {
-    const solvedVector G = plane_(driving_.force());
+    const solvedVector G = directions_(driving_.force());
     for (const immersedMembrane& m : parts_)
     {
         const scalar a = (inverse ? 1/m.scale() : m.scale());

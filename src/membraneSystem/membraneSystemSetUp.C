@@ -86,7 +86,7 @@ void Foam::capsule::membraneSystem::warnOfResolution() const
         {
             WarningInFunction
                 << "Two parts of membrane " << name << " are " << film
-                << " cell widths apart at " << plane_.toPoint(where)
+                << " cell widths apart at " << directions_.toPoint(where)
                 << ", less than " << clearance::resolved
                 << ": it is too thin there, or folded too closely, to be"
                 << " resolved" << endl;
@@ -98,7 +98,7 @@ void Foam::capsule::membraneSystem::warnOfResolution() const
                 << "Points of membrane " << name << " are " << spacing
                 << " cell widths apart, more than " << membrane::widestSpacing
                 << ": it is not resolved there; see its entry "
-                << (plane_.spatial() ? "degree" : "points") << endl;
+                << (directions_.spatial() ? "degree" : "points") << endl;
         }
         warnOfMomentumLayer(parts_[i]);
     }
@@ -128,7 +128,7 @@ void Foam::capsule::membraneSystem::readMembranes()
     const dictionary& dict = input::subDict(*this, "membranes");
     if (dict.size())
     {
-        clearance_.reset(new clearance(mesh_, plane_));
+        clearance_.reset(new clearance(mesh_, directions_));
     }
     List<surfaceSamples> samples;
     for (const entry& e : dict)
@@ -148,7 +148,7 @@ void Foam::capsule::membraneSystem::readMembranes()
                 subDict("coupling"),
                 e.keyword(),
                 e.dict(),
-                plane_,
+                directions_,
                 mesh_,
                 rho_,
                 mu_
@@ -218,7 +218,7 @@ Foam::capsule::membraneSystem::membraneSystem
         )
     ),
     mesh_(U.mesh()),
-    plane_(mesh_),
+    directions_(mesh_),
     U_(U),
     pressure_(pressure),
     rho_(rho.value()),

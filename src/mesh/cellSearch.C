@@ -19,12 +19,12 @@ namespace Foam
 namespace capsule
 {
 
-static pointField middles(const fvMesh& mesh, const solvedDirections& plane)
+static pointField middles(const fvMesh& mesh, const solvedDirections& directions)
 {
     pointField result(mesh.nCells());
     forAll(result, celli)
     {
-        result[celli] = plane.toPoint(plane(mesh.cellCentres()[celli]));
+        result[celli] = directions.toPoint(directions(mesh.cellCentres()[celli]));
     }
     return result;
 }
@@ -35,11 +35,11 @@ static pointField middles(const fvMesh& mesh, const solvedDirections& plane)
 static solvedTensor directionsOf
 (
     const fvMesh& mesh,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const label celli
 )
 {
-    const label n = plane.size();
+    const label n = directions.size();
     solvedTensor result(solvedTensor::Zero(n, n));
 
     for (label found = 0; found < n - 1; ++found)
@@ -59,13 +59,13 @@ static solvedTensor directionsOf
                 continue;
             }
             const nodalVectors corners =
-                plane.corners(mesh.points(), mesh.faces()[facei]);
+                directions.corners(mesh.points(), mesh.faces()[facei]);
             const scalar extent =
-                plane.spatial()
+                directions.spatial()
               ? mag(mesh.faceAreas()[facei])
               : (corners.row(1) - corners.row(0)).norm();
             const solvedVector normal =
-                plane(mesh.faceAreas()[facei]).normalized();
+                directions(mesh.faceAreas()[facei]).normalized();
             const bool across =
                 found == 0 || mag(normal.dot(result.row(0))) < 0.5;
             if (across && extent > (1 + 1e-6)*largest)
@@ -76,7 +76,7 @@ static solvedTensor directionsOf
         }
     }
 
-    if (!plane.spatial())
+    if (!directions.spatial())
     {
         result.row(1) = turned(result.row(0));
         return result;
@@ -84,8 +84,8 @@ static solvedTensor directionsOf
     solvedVector second = result.row(1) - result.row(1).dot(result.row(0))*result.row(0);
     result.row(1) = second.normalized();
     const vector third =
-        plane.toVector(result.row(0)) ^ plane.toVector(result.row(1));
-    result.row(2) = plane(third);
+        directions.toVector(result.row(0)) ^ directions.toVector(result.row(1));
+    result.row(2) = directions(third);
     return result;
 }
 
@@ -94,14 +94,14 @@ static solvedTensor directionsOf
 static cellSearch::size sizeOf
 (
     const fvMesh& mesh,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const label celli
 )
 {
     cellSearch::size result;
-    result.directions = directionsOf(mesh, plane, celli);
+    result.directions = directionsOf(mesh, directions, celli);
 
-    solvedVector low = solvedVector::Constant(plane.size(), GREAT);
+    solvedVector low = solvedVector::Constant(directions.size(), GREAT);
     solvedVector high = -low;
     for (const label facei : mesh.cells()[celli])
     {
@@ -109,7 +109,7 @@ static cellSearch::size sizeOf
         {
             const solvedVector x = result.components
             (
-                plane(mesh.points()[pointi] - mesh.cellCentres()[celli])
+                directions(mesh.points()[pointi] - mesh.cellCentres()[celli])
             );
             low = low.cwiseMin(x);
             high = high.cwiseMax(x);
@@ -143,10 +143,10 @@ Foam::capsule::cellSearch::cellSearch(const fvMesh& mesh)
     sizes_(mesh.nCells()),
     largest_(0)
 {
-    const solvedDirections plane(mesh);
+    const solvedDirections directions(mesh);
     forAll(sizes_, celli)
     {
-        sizes_[celli] = sizeOf(mesh, plane, celli);
+        sizes_[celli] = sizeOf(mesh, directions, celli);
         largest_ = max(largest_, sizes_[celli].largest());
     }
     reduce(largest_, maxOp<scalar>());

@@ -41,13 +41,13 @@ static planarBoundary::side sideBetween
 static vector2 snapped
 (
     const vector2& x,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const scalar width
 )
 {
     return
-        plane.axisymmetric() && mag(plane.radius(x)) < 1e-6*width
-      ? vector2(x(0), plane.axisAt())
+        directions.axisymmetric() && mag(directions.radius(x)) < 1e-6*width
+      ? vector2(x(0), directions.axisAt())
       : x;
 }
 

@@ -29,7 +29,7 @@ namespace capsule
 Foam::capsule::wedgeGradients::wedgeGradients
 (
     const fvMesh& mesh,
-    const solvedDirections& plane
+    const solvedDirections& directions
 )
 :
     MeshObject<fvMesh, GeometricMeshObject, wedgeGradients>(mesh)
@@ -50,7 +50,7 @@ Foam::capsule::wedgeGradients::wedgeGradients
     };
     const auto radius = [&](const point& x)
     {
-        return plane.radius(plane(x));
+        return directions.radius(directions(x));
     };
 
     const pointField& centres = mesh.cellCentres();
@@ -63,7 +63,7 @@ Foam::capsule::wedgeGradients::wedgeGradients
            /(radius(centres[P]) + radius(centres[N]));
         delta[facei] *= factor;
         orthogonal[facei] *= factor;
-        const scalar S = plane(mesh.faceAreas()[facei])(1);
+        const scalar S = directions(mesh.faceAreas()[facei])(1);
         add(P, S, factor);
         add(N, -S, factor);
     }
@@ -87,7 +87,7 @@ Foam::capsule::wedgeGradients::wedgeGradients
                 delta.boundaryFieldRef()[patchi][i] *= factor;
                 orthogonal.boundaryFieldRef()[patchi][i] *= factor;
             }
-            add(celli, plane(patch.Sf()[i])(1), factor);
+            add(celli, directions(patch.Sf()[i])(1), factor);
         }
     }
     for (const fvPatch& patch : mesh.boundary())

@@ -31,11 +31,11 @@ namespace loads
 
 Foam::capsule::solvedVector Foam::capsule::loads::opposedForces::readDirection
 (
-    const solvedDirections& plane
+    const solvedDirections& directions
 ) const
 {
     const vector given(input::get<vector>(dict_, "direction"));
-    const vector kept = plane.conserved(given);
+    const vector kept = directions.conserved(given);
 
     if (!(mag(given) > 0) || mag(given - kept) > 1e-6*mag(given))
     {
@@ -44,7 +44,7 @@ Foam::capsule::solvedVector Foam::capsule::loads::opposedForces::readDirection
             << " length, in a plane mesh in the plane, in a wedge along the"
             << " axis" << exit(FatalIOError);
     }
-    return plane(kept/mag(kept));
+    return directions(kept/mag(kept));
 }
 
 

@@ -73,7 +73,7 @@ Foam::scalar Foam::capsule::membrane::radiusInCells
         outside >= 0 ? word()
       : boundary.enclosed
         (
-            plane_.spatial()
+            directions_.spatial()
           ? surfaceSamples(outline, scaled(sizes.cwiseInverse(), normals))
           : surfaceSamples(outline)
         )
@@ -86,7 +86,7 @@ Foam::scalar Foam::capsule::membrane::radiusInCells
         {
             FatalIOError
                 << " reaches outside the mesh, to "
-                << plane_.toPoint(outline.row(outside));
+                << directions_.toPoint(outline.row(outside));
         }
         else
         {
@@ -116,7 +116,7 @@ Foam::scalar Foam::capsule::membrane::radiusInCells
             << exit(FatalIOError);
     }
     const scalar pi = constant::mathematical::pi;
-    return (plane_.spatial() ? Foam::sqrt(size/(4*pi)) : size/(2*pi))/width;
+    return (directions_.spatial() ? Foam::sqrt(size/(4*pi)) : size/(2*pi))/width;
 }
 
 
@@ -137,7 +137,7 @@ Foam::label Foam::capsule::membrane::nPoints
     (
         dict,
         "points",
-        plane_.axisymmetric() ? odd + 1 : odd
+        directions_.axisymmetric() ? odd + 1 : odd
     );
 
     // Points further apart than four cells do not use what the mesh resolves;
@@ -152,7 +152,7 @@ Foam::label Foam::capsule::membrane::nPoints
             << " are permitted: points a quarter of a cell"
             << " width to four cell widths apart" << exit(FatalIOError);
     }
-    if (plane_.axisymmetric() && n % 2)
+    if (directions_.axisymmetric() && n % 2)
     {
         FatalIOErrorInFunction(dict)
             << "Entry points is " << n << "; for membrane " << name_
@@ -194,11 +194,11 @@ Foam::capsule::nodalVectors Foam::capsule::membrane::setBasis
     const scalar radius
 )
 {
-    if (!plane_.spatial())
+    if (!directions_.spatial())
     {
         basis_ = surfaceBasis::New
         (
-            plane_, nPoints(dict, constant::mathematical::twoPi*radius)
+            directions_, nPoints(dict, constant::mathematical::twoPi*radius)
         );
     }
     else
@@ -246,7 +246,7 @@ void Foam::capsule::membrane::setReference
         const dictionary& initialDict = input::subDict(dict, "shape");
         shapeDict.add("centre", input::get<point>(initialDict, "centre"));
     }
-    const autoPtr<membraneShape> shape(membraneShape::New(shapeDict, plane_));
+    const autoPtr<membraneShape> shape(membraneShape::New(shapeDict, directions_));
     mechanics_->setReference
     (
         closedSurface(*basis_, nodesOf(*shape, *basis_)), 1
@@ -279,10 +279,10 @@ void Foam::capsule::membrane::setInitial
 
     now_.x = now_.interface = initial.nodes();
     now_.force = force(initial, initial.areaElement());
-    now_.inertia.setZero(size(), plane_.size());
-    now_.vorticity.setZero(size(), plane_.size());
+    now_.inertia.setZero(size(), directions_.size());
+    now_.vorticity.setZero(size(), directions_.size());
     now_.pressure.setZero(size());
-    now_.velocity.setZero(size(), plane_.size());
+    now_.velocity.setZero(size(), directions_.size());
 }
 
 
@@ -292,12 +292,12 @@ Foam::capsule::membrane::membrane
 (
     const word& name,
     const dictionary& dict,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const fvMesh& mesh
 )
 :
     name_(name),
-    plane_(plane),
+    directions_(directions),
     viscosity_
     (
         input::getPositive(dict, "viscosity", dimPressure*dimTime, "Pa s")
@@ -321,8 +321,8 @@ Foam::capsule::membrane::membrane
     );
 
     const dictionary& shapeDict = input::subDict(dict, "shape");
-    const autoPtr<membraneShape> shape(membraneShape::New(shapeDict, plane));
-    const scalar width = gMin(plane.widths(mesh)());
+    const autoPtr<membraneShape> shape(membraneShape::New(shapeDict, directions));
+    const scalar width = gMin(directions.widths(mesh)());
     const scalar radius = radiusInCells(*shape, shapeDict, mesh, width);
     const nodalVectors nodes = setBasis(*shape, dict, radius);
     mechanics_ = membraneMechanics::New(dict, *basis_);

@@ -47,9 +47,9 @@ void Foam::capsule::membrane::writeCloud(const fvMesh& mesh) const
     nodalVectors wrapped(now.nodes().topRows(basis_->nCounted()));
     for (Eigen::Index i = 0; i < wrapped.rows(); ++i)
     {
-        wrapped.row(i) = plane_.images().wrapped(now.nodes().row(i));
+        wrapped.row(i) = directions_.images().wrapped(now.nodes().row(i));
     }
-    const pointField points(plane_.toPoints(wrapped));
+    const pointField points(directions_.toPoints(wrapped));
 
     // Each point has one owner: the lowest processor that finds it
     auto owned = emptyCloud<passiveParticleCloud>(mesh, name_);
@@ -73,7 +73,7 @@ void Foam::capsule::membrane::writeCloud(const fvMesh& mesh) const
 
     const auto writeVectors = [&](const word& name, const nodalVectors& v)
     {
-        const vectorField all(plane_.toVectors(v));
+        const vectorField all(directions_.toVectors(v));
         IOField<vector>(fieldOf(cloud, name), vectorField(all, mine)).write();
     };
     const auto writeScalars = [&](const word& name, const nodalScalars& v)
@@ -90,12 +90,12 @@ void Foam::capsule::membrane::writeCloud(const fvMesh& mesh) const
     const membraneMechanics::principalValues p = principal(now);
     writeScalars("stretch", p.l1);
     writeScalars("tension", p.T1);
-    if (plane_.axisymmetric())
+    if (directions_.axisymmetric())
     {
         writeScalars("hoopStretch", p.l2);
         writeScalars("hoopTension", p.T2);
     }
-    else if (plane_.spatial())
+    else if (directions_.spatial())
     {
         writeScalars("secondStretch", p.l2);
         writeScalars("secondTension", p.T2);

@@ -113,15 +113,15 @@ class stateWriter
 {
     const membrane& membrane_;
 
-    const solvedDirections& plane_;
+    const solvedDirections& directions_;
 
 public:
 
-    stateWriter(const membrane& m, const solvedDirections& plane, const Time& runTime)
+    stateWriter(const membrane& m, const solvedDirections& directions, const Time& runTime)
     :
         regIOobject(stateFile(m.name(), runTime, IOobject::NO_READ)),
         membrane_(m),
-        plane_(plane)
+        directions_(directions)
     {}
 
     //- The file is read as a dictionary
@@ -142,7 +142,7 @@ public:
             os.beginBlock(word("level" + Foam::name(i)));
             for (const auto& entry : stateFields)
             {
-                const vectorField field(plane_.toVectors(s.*entry.field));
+                const vectorField field(directions_.toVectors(s.*entry.field));
                 digest.add(field);
                 // With the type of the list, which binary files need
                 const UList<vector>& list = field;
@@ -277,7 +277,7 @@ bool Foam::capsule::membrane::readState
             );
             check(level, entry.name, field.size());
             digest.add(field);
-            s.*entry.field = plane_.toNodes(field);
+            s.*entry.field = directions_.toNodes(field);
         }
         const scalarField pressure(input::get<scalarField>(level, "pressure"));
         check(level, "pressure", pressure.size());
@@ -312,5 +312,5 @@ bool Foam::capsule::membrane::readState
 
 void Foam::capsule::membrane::write(const Time& runTime) const
 {
-    writeAtomically(stateWriter(*this, plane_, runTime), runTime.writeFormat());
+    writeAtomically(stateWriter(*this, directions_, runTime), runTime.writeFormat());
 }

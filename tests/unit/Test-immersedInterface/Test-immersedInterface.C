@@ -110,7 +110,7 @@ static void writeResiduals
 (
     const modeFlow& exact,
     const vector2& centre,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const immersedInterface& interface,
     volVectorField U,
     volScalarField p
@@ -121,8 +121,8 @@ static void writeResiduals
     scalar q;
     forAll(U, celli)
     {
-        exact.at(plane(mesh.C()[celli]) - centre, u, q);
-        U[celli] = plane.toVector(u);
+        exact.at(directions(mesh.C()[celli]) - centre, u, q);
+        U[celli] = directions.toVector(u);
         p[celli] = q;
     }
 
@@ -141,7 +141,7 @@ static void writeResiduals
     forAll(U, celli)
     {
         // Away from the boundary, where the scheme is of lower order
-        const vector2 x = plane(mesh.C()[celli]) - centre;
+        const vector2 x = directions(mesh.C()[celli]) - centre;
         if (x.cwiseAbs().maxCoeff() > 1.3)
         {
             continue;
@@ -165,14 +165,14 @@ static void writeResiduals
         (
             laplacians[kind],
             (
-                plane(laplacian[celli] + corrections.momentum[celli]) - slope
+                directions(laplacian[celli] + corrections.momentum[celli]) - slope
             ).norm()
         );
         gradients[kind] = max
         (
             gradients[kind],
             (
-                plane(gradient[celli] + corrections.gradient[celli]) - slope
+                directions(gradient[celli] + corrections.gradient[celli]) - slope
             ).norm()
         );
     }
@@ -180,11 +180,11 @@ static void writeResiduals
     {
         // The face average: two Gauss points on each of many parts
         const face& f = mesh.faces()[facei];
-        vector2 a = plane(mesh.points()[f[0]]);
+        vector2 a = directions(mesh.points()[f[0]]);
         vector2 b = a;
         for (const label pointi : f)
         {
-            const vector2 c = plane(mesh.points()[pointi]);
+            const vector2 c = directions(mesh.points()[pointi]);
             b = (c - a).norm() > (b - a).norm() ? c : b;
         }
         vector mean(Zero);
@@ -192,9 +192,9 @@ static void writeResiduals
         for (label i = 0; i < parts; ++i)
         {
             exact.at(a + (i + 0.5)/parts*(b - a) - centre, u, q);
-            mean += plane.toVector(u)/parts;
+            mean += directions.toVector(u)/parts;
         }
-        const vector2 x = plane(mesh.faceCentres()[facei]) - centre;
+        const vector2 x = directions(mesh.faceCentres()[facei]) - centre;
         if (x.cwiseAbs().maxCoeff() < 1.3)
         {
             fluxes = max
@@ -231,7 +231,7 @@ int main(int argc, char *argv[])
     const scalar lambda = args.get<scalar>(1);
     const modeFlow exact(mode, lambda, 1, 0.5);
     const vector2 centre(0.013, 0.027);
-    const solvedDirections plane(mesh);
+    const solvedDirections directions(mesh);
 
     vector2 u;
     scalar q;
@@ -240,8 +240,8 @@ int main(int argc, char *argv[])
         fvPatchVectorField& Up = U.boundaryFieldRef()[patchi];
         forAll(Up, i)
         {
-            exact.at(plane(Up.patch().Cf()[i]) - centre, u, q);
-            Up[i] = plane.toVector(u);
+            exact.at(directions(Up.patch().Cf()[i]) - centre, u, q);
+            Up[i] = directions.toVector(u);
         }
     }
     // Net flux of the sampled boundary values, spread evenly
@@ -259,7 +259,7 @@ int main(int argc, char *argv[])
         Up == Up - flux/area*Up.patch().nf();
     }
 
-    const scalar h = Foam::sqrt(gMax(mesh.V().field())/plane.sector());
+    const scalar h = Foam::sqrt(gMax(mesh.V().field())/directions.sector());
     const curveBasis basis(2*label(constant::mathematical::pi/h) + 1);
     nodalVectors x(basis.size(), 2);
     nodalVectors f(basis.size(), 2);
@@ -276,7 +276,7 @@ int main(int argc, char *argv[])
 
     immersedInterface interface
     (
-        "circle", mesh, plane, curve, oneSidedFit::radius
+        "circle", mesh, directions, curve, oneSidedFit::radius
     );
     const dimensionedScalar mu("mu", dimPressure*dimTime, 1);
     const fvVectorMatrix UEqn(-fvm::laplacian(mu, U));
@@ -330,7 +330,7 @@ int main(int argc, char *argv[])
         const vector sum =
             interface.addLaplacian(1, 1, sources.momentum)
           - interface.addGradient(sources.gradient);
-        net = mag(sum)/plane.sector();
+        net = mag(sum)/directions.sector();
         interface.addFlux(sources.flux, sources.pressureFlux);
         interface.addInterpolationDivergence(sources.divergence);
         interface.addForce(-sum, sources.momentum);
@@ -356,7 +356,7 @@ int main(int argc, char *argv[])
     // At equal viscosities the equivalent force is the exact one
     if (lambda == 1)
     {
-        writeResiduals(exact, centre, plane, interface, U, p);
+        writeResiduals(exact, centre, directions, interface, U, p);
     }
 
     scalarField dp(mesh.nCells());
@@ -365,22 +365,22 @@ int main(int argc, char *argv[])
     scalar inside = 0;
     forAll(dp, celli)
     {
-        exact.at(plane(mesh.C()[celli]) - centre, u, q);
-        maxU = max(maxU, (plane(U[celli]) - u).cwiseAbs().maxCoeff());
+        exact.at(directions(mesh.C()[celli]) - centre, u, q);
+        maxU = max(maxU, (directions(U[celli]) - u).cwiseAbs().maxCoeff());
         dp[celli] = p[celli] - q;
     }
 
     // The level of the real pressure is free: p/lambda inside
     forAll(dp, celli)
     {
-        const bool in = ((plane(mesh.C()[celli]) - centre).norm() < 1);
+        const bool in = ((directions(mesh.C()[celli]) - centre).norm() < 1);
         inside += in;
         outsideP += in ? 0 : dp[celli];
     }
     const scalar level = outsideP/(dp.size() - inside);
     forAll(dp, celli)
     {
-        const bool in = ((plane(mesh.C()[celli]) - centre).norm() < 1);
+        const bool in = ((directions(mesh.C()[celli]) - centre).norm() < 1);
         dp[celli] -= (in ? level/lambda : level);
     }
 
@@ -389,7 +389,7 @@ int main(int argc, char *argv[])
     scalar maxD = 0;
     forAll(distance, celli)
     {
-        const scalar r = (plane(mesh.C()[celli]) - centre).norm();
+        const scalar r = (directions(mesh.C()[celli]) - centre).norm();
         const scalar error = mag(distance[celli] - (r - 1));
         maxD = max(maxD, error);
         nearD = max(nearD, mag(r - 1) < 0.5 ? error : 0);

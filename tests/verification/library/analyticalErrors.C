@@ -38,11 +38,11 @@ Foam::labelList Foam::functionObjects::analyticalErrors::axisCells() const
             nearest = min
             (
                 nearest,
-                plane_.radius(plane_(mesh_.points()[pointi]))
+                directions_.radius(directions_(mesh_.points()[pointi]))
             );
         }
-        const scalar r = plane_.radius(plane_(mesh_.C()[celli]));
-        if (plane_.axisymmetric() && nearest < 1e-6*r)
+        const scalar r = directions_.radius(directions_(mesh_.C()[celli]));
+        if (directions_.axisymmetric() && nearest < 1e-6*r)
         {
             cells.append(celli);
         }
@@ -88,7 +88,7 @@ Foam::boolList Foam::functionObjects::analyticalErrors::inside
     {
         forAll(result, celli)
         {
-            result[celli] = exact_->inside(plane_(mesh_.C()[celli]), t);
+            result[celli] = exact_->inside(directions_(mesh_.C()[celli]), t);
         }
     }
     for (label i = 0; membranes && i < membranes->size(); ++i)
@@ -97,7 +97,7 @@ Foam::boolList Foam::functionObjects::analyticalErrors::inside
         const capsule::closedSurface surface(m.basis(), m.now().interface);
         const capsule::membraneLevelSet distance
         (
-            m.name(), mesh_, plane_, surface, 1
+            m.name(), mesh_, directions_, surface, 1
         );
         UIndirectList<bool>(result, distance.inside()) = true;
     }
@@ -117,7 +117,7 @@ Foam::functionObjects::analyticalErrors::analyticalErrors
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(mesh_, name, "errors", dict),
     exact_(capsule::analyticalSolution::New(mesh_)),
-    plane_(mesh_),
+    directions_(mesh_),
     atAxis_(axisCells())
 {
     writeCommented(file(), "Time");
@@ -125,7 +125,7 @@ Foam::functionObjects::analyticalErrors::analyticalErrors
     {
         writeTabbed(file(), column);
     }
-    if (plane_.axisymmetric())
+    if (directions_.axisymmetric())
     {
         writeTabbed(file(), "U_axis");
         writeTabbed(file(), "p_axis");
@@ -155,8 +155,8 @@ bool Foam::functionObjects::analyticalErrors::write()
     const boolList inside(this->inside(t));
     forAll(dU, celli)
     {
-        const capsule::solvedVector x = plane_(mesh_.C()[celli]);
-        dU[celli] = (plane_(U[celli]) - exact_->velocity(x, t)).norm();
+        const capsule::solvedVector x = directions_(mesh_.C()[celli]);
+        dU[celli] = (directions_(U[celli]) - exact_->velocity(x, t)).norm();
         dp[celli] = p[celli] - exact_->pressure(x, t, inside[celli]);
         outside[celli] = inside[celli] ? 0 : V[celli];
     }
@@ -169,7 +169,7 @@ bool Foam::functionObjects::analyticalErrors::write()
         << tab << Foam::sqrt(gSum(V*sqr(dU))/volume) << tab << gMax(dU)
         << tab << Foam::sqrt(gSum(V*sqr(dp))/volume) << tab << gMax(mag(dp))
         << tab << onInterface;
-    if (plane_.axisymmetric())
+    if (directions_.axisymmetric())
     {
         file()
             << tab << gMax(scalarField(dU, atAxis_))

@@ -88,7 +88,7 @@ void Foam::analyticalPressureFvPatchScalarField::updateCoeffs()
     }
 
     // Central difference over a small part of the distance to the cell
-    const capsule::solvedDirections plane(mesh);
+    const capsule::solvedDirections directions(mesh);
     const scalar t = db().time().value();
     const vectorField step(1e-3*patch().nf()/patch().deltaCoeffs());
     const vectorField& centres = patch().Cf();
@@ -97,8 +97,8 @@ void Foam::analyticalPressureFvPatchScalarField::updateCoeffs()
     {
         slope[i] =
             (
-                exact_->pressure(plane(centres[i] + step[i]), t)
-              - exact_->pressure(plane(centres[i] - step[i]), t)
+                exact_->pressure(directions(centres[i] + step[i]), t)
+              - exact_->pressure(directions(centres[i] - step[i]), t)
             )
            /(2*mag(step[i]));
     }

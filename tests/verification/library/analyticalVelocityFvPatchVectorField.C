@@ -82,12 +82,12 @@ void Foam::analyticalVelocityFvPatchVectorField::updateCoeffs()
         exact_ = capsule::analyticalSolution::New(mesh);
     }
 
-    const capsule::solvedDirections plane(mesh);
+    const capsule::solvedDirections directions(mesh);
     const scalar t = db().time().value();
     vectorField& Up = *this;
     forAll(Up, i)
     {
-        Up[i] = plane.toVector(exact_->velocity(plane(patch().Cf()[i]), t));
+        Up[i] = directions.toVector(exact_->velocity(directions(patch().Cf()[i]), t));
     }
     Up -= gSum(Up & patch().Sf())/gSum(patch().magSf())*patch().nf();
 

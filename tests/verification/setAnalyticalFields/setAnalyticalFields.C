@@ -38,12 +38,12 @@ int main(int argc, char *argv[])
     (
         capsule::analyticalSolution::New(mesh)
     );
-    const capsule::solvedDirections plane(mesh);
+    const capsule::solvedDirections directions(mesh);
 
     forAll(U, celli)
     {
-        const capsule::solvedVector x = plane(mesh.C()[celli]);
-        U[celli] = plane.toVector(exact->velocity(x, runTime.value()));
+        const capsule::solvedVector x = directions(mesh.C()[celli]);
+        U[celli] = directions.toVector(exact->velocity(x, runTime.value()));
         p[celli] = exact->pressure(x, runTime.value());
     }
     U.correctBoundaryConditions();

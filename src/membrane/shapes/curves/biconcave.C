@@ -32,10 +32,10 @@ namespace shapes
 Foam::capsule::shapes::biconcave::biconcave
 (
     const dictionary& dict,
-    const solvedDirections& plane
+    const solvedDirections& directions
 )
 :
-    curveShape(dict, plane, {"radius"}),
+    curveShape(dict, directions, {"radius"}),
     radius_(length(dict, "radius"))
 {}
 

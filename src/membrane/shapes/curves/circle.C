@@ -33,10 +33,10 @@ namespace shapes
 Foam::capsule::shapes::circle::circle
 (
     const dictionary& dict,
-    const solvedDirections& plane
+    const solvedDirections& directions
 )
 :
-    curveShape(dict, plane, {"radius"}),
+    curveShape(dict, directions, {"radius"}),
     radius_(length(dict, "radius"))
 {}
 

@@ -30,19 +30,19 @@ namespace capsule
 void Foam::capsule::curveShape::setOnAxis
 (
     const dictionary& dict,
-    const solvedDirections& plane
+    const solvedDirections& directions
 )
 {
     // The axis follows from the patches, with their rounding
     const scalar length =
         (local(0) - local(constant::mathematical::pi)).norm();
-    const vector2 onAxis(centre()(0), plane.axisAt());
-    if (mag(plane.radius(centre())) > 1e-6*length)
+    const vector2 onAxis(centre()(0), directions.axisAt());
+    if (mag(directions.radius(centre())) > 1e-6*length)
     {
         FatalIOErrorInFunction(dict)
             << "Entry centre is " << input::get<point>(dict, "centre")
             << ", but in a wedge the centre must be on the axis: permitted is "
-            << plane.toPoint(onAxis) << exit(FatalIOError);
+            << directions.toPoint(onAxis) << exit(FatalIOError);
     }
     moveTo(onAxis);
 }
@@ -66,11 +66,11 @@ Foam::capsule::vector2 Foam::capsule::curveShape::placed
 Foam::capsule::curveShape::curveShape
 (
     const dictionary& dict,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const wordList& own
 )
 :
-    membraneShape(dict, plane, input::joined({"angle", "clustering"}, own)),
+    membraneShape(dict, directions, input::joined({"angle", "clustering"}, own)),
     angle_(0),
     cos_(1),
     sin_(0),
@@ -85,7 +85,7 @@ Foam::capsule::curveShape::curveShape
     );
     cos_ = std::cos(angle_);
     sin_ = std::sin(angle_);
-    if (plane.axisymmetric())
+    if (directions.axisymmetric())
     {
         const scalar degrees = input::getOrDefault<scalar>(dict, "angle", 0);
         if (degrees != 0 && degrees != 180)
@@ -104,22 +104,22 @@ Foam::capsule::curveShape::curveShape
 Foam::autoPtr<Foam::capsule::curveShape> Foam::capsule::curveShape::New
 (
     const dictionary& dict,
-    const solvedDirections& plane
+    const solvedDirections& directions
 )
 {
-    if (!plane.axisymmetric())
+    if (!directions.axisymmetric())
     {
         return constructor(dict, *planeConstructorTablePtr_, "a plane mesh")
         (
-            dict, plane
+            dict, directions
         );
     }
 
     autoPtr<curveShape> shape
     (
-        constructor(dict, *wedgeConstructorTablePtr_, "a wedge")(dict, plane)
+        constructor(dict, *wedgeConstructorTablePtr_, "a wedge")(dict, directions)
     );
-    shape->setOnAxis(dict, plane);
+    shape->setOnAxis(dict, directions);
     return shape;
 }
 

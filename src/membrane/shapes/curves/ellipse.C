@@ -33,10 +33,10 @@ namespace shapes
 Foam::capsule::shapes::ellipse::ellipse
 (
     const dictionary& dict,
-    const solvedDirections& plane
+    const solvedDirections& directions
 )
 :
-    curveShape(dict, plane, {"semiAxes"}),
+    curveShape(dict, directions, {"semiAxes"}),
     semiAxes_(input::get<Pair<scalar>>(dict, "semiAxes"))
 {
     for (const scalar length : semiAxes_)

@@ -59,7 +59,7 @@ Foam::pointField Foam::capsule::shapes::points::readList(Istream& is)
 void Foam::capsule::shapes::points::setPoints
 (
     const pointField& list,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const dictionary& dict,
     const fileName& file
 )
@@ -74,24 +74,24 @@ void Foam::capsule::shapes::points::setPoints
             << " to " << box.max() << "; permitted: up to "
             << input::largest << " [m]" << exit(FatalIOError);
     }
-    if (mag(box.span() - plane.toVector(plane(box.span()))) > 1e-3*extent)
+    if (mag(box.span() - directions.toVector(directions(box.span()))) > 1e-3*extent)
     {
         FatalIOErrorInFunction(dict)
             << "Entry file " << file << ": the points reach from "
             << box.min() << " to " << box.max() << ", but they must lie in the"
             << " plane of the mesh, whose normal is "
-            << (plane.toVector(vector2(1, 0)) ^ plane.toVector(vector2(0, 1)))
+            << (directions.toVector(vector2(1, 0)) ^ directions.toVector(vector2(0, 1)))
             << exit(FatalIOError);
     }
 
-    x_ = plane.toNodes(list);
+    x_ = directions.toNodes(list);
     const label last = x_.rows() - 1;
     if (last > 0 && (x_.row(last) - x_.row(0)).norm() <= same*extent)
     {
         // The last repeats the first, as in files of closed curves
         x_.conservativeResize(last, 2);
     }
-    if (plane.axisymmetric())
+    if (directions.axisymmetric())
     {
         addMirrored(alike*extent);
     }
@@ -116,7 +116,7 @@ void Foam::capsule::shapes::points::setPoints
             nodalVectors(x_.bottomRows(n - 1).colwise().reverse());
     }
     start_ =
-        plane.axisymmetric() ? startOnAxis(alike*extent, dict, file) : 0;
+        directions.axisymmetric() ? startOnAxis(alike*extent, dict, file) : 0;
 }
 
 
@@ -181,10 +181,10 @@ void Foam::capsule::shapes::points::check
 Foam::capsule::shapes::points::points
 (
     const dictionary& dict,
-    const solvedDirections& plane
+    const solvedDirections& directions
 )
 :
-    curveShape(dict, plane, {"file"}),
+    curveShape(dict, directions, {"file"}),
     start_(0)
 {
     const fileName file(fileEntry(dict));
@@ -198,7 +198,7 @@ Foam::capsule::shapes::points::points
     setPoints
     (
         input::guarded(dict, "file", [&]() { return readList(is); }),
-        plane,
+        directions,
         dict,
         file
     );

@@ -45,7 +45,7 @@ namespace capsule
 Foam::capsule::analyticalSolution::analyticalSolution
 (
     const dictionary& dict,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const Pair<scalar>& viscosity,
     const scalar density
 )
@@ -53,8 +53,8 @@ Foam::capsule::analyticalSolution::analyticalSolution
     radius_(dict.get<scalar>("radius")),
     viscosity_(viscosity),
     density_(density),
-    centre_(plane(dict.get<vector>("centre"))),
-    drift_(plane(dict.getOrDefault<vector>("drift", Zero)))
+    centre_(directions(dict.get<vector>("centre"))),
+    drift_(directions(dict.getOrDefault<vector>("drift", Zero)))
 {}
 
 

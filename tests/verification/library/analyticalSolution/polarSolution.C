@@ -15,14 +15,14 @@ License
 Foam::capsule::polarSolution::polarSolution
 (
     const dictionary& dict,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const Pair<scalar>& viscosity,
     const scalar density
 )
 :
-    analyticalSolution(dict, plane, viscosity, density)
+    analyticalSolution(dict, directions, viscosity, density)
 {
-    if (plane.spatial())
+    if (directions.spatial())
     {
         FatalIOErrorInFunction(dict)
             << "Entry type: " << dict.get<word>("type") << " is a solution in"

@@ -47,12 +47,12 @@ Foam::scalar Foam::capsule::analyticalSolutions::decayingRotation::rotation
 Foam::capsule::analyticalSolutions::decayingRotation::decayingRotation
 (
     const dictionary& dict,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const Pair<scalar>& viscosity,
     const scalar density
 )
 :
-    polarSolution(dict, plane, viscosity, density),
+    polarSolution(dict, directions, viscosity, density),
     rate_(dict.get<scalar>("rate")),
     normal_(dict.get<scalar>("normal")),
     k_

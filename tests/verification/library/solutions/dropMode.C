@@ -153,12 +153,12 @@ Foam::capsule::analyticalSolutions::dropMode::imbalance(const number rate)
 Foam::capsule::analyticalSolutions::dropMode::dropMode
 (
     const dictionary& dict,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const Pair<scalar>& viscosity,
     const scalar density
 )
 :
-    polarSolution(dict, plane, viscosity, density),
+    polarSolution(dict, directions, viscosity, density),
     m_(dict.getCheck<label>("mode", labelMinMax::ge(2))),
     amplitude_(dict.get<scalar>("amplitude")),
     tension_(dict.get<scalar>("tension"))

@@ -31,12 +31,12 @@ namespace analyticalSolutions
 Foam::capsule::analyticalSolutions::forceMode::forceMode
 (
     const dictionary& dict,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const Pair<scalar>& viscosity,
     const scalar density
 )
 :
-    polarSolution(dict, plane, viscosity, density),
+    polarSolution(dict, directions, viscosity, density),
     m_(dict.getCheck<label>("mode", labelMinMax::ge(2))),
     amplitude_(dict.get<scalar>("normal"), dict.get<scalar>("tangential"))
 {

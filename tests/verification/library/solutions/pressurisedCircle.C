@@ -31,16 +31,16 @@ namespace analyticalSolutions
 Foam::capsule::analyticalSolutions::pressurisedCircle::pressurisedCircle
 (
     const dictionary& dict,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const Pair<scalar>& viscosity,
     const scalar density
 )
 :
-    analyticalSolution(dict, plane, viscosity, density),
+    analyticalSolution(dict, directions, viscosity, density),
     pressure_
     (
         dict.get<scalar>("tension")
-       *(plane.spatial() || plane.axisymmetric() ? 2 : 1)/radius_
+       *(directions.spatial() || directions.axisymmetric() ? 2 : 1)/radius_
     )
 {}
 

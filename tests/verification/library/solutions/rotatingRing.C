@@ -31,12 +31,12 @@ namespace analyticalSolutions
 Foam::capsule::analyticalSolutions::rotatingRing::rotatingRing
 (
     const dictionary& dict,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const Pair<scalar>& viscosity,
     const scalar density
 )
 :
-    polarSolution(dict, plane, viscosity, density),
+    polarSolution(dict, directions, viscosity, density),
     W_(dict.get<scalar>("rate")),
     a_(0),
     b_(dict.get<scalar>("vortex"))

@@ -94,12 +94,12 @@ Foam::scalar Foam::capsule::analyticalSolutions::sphereHarmonic::harmonic
 Foam::capsule::analyticalSolutions::sphereHarmonic::sphereHarmonic
 (
     const dictionary& dict,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const Pair<scalar>& viscosity,
     const scalar density
 )
 :
-    analyticalSolution(dict, plane, viscosity, density),
+    analyticalSolution(dict, directions, viscosity, density),
     l_(dict.getCheck<label>("degree", labelMinMax::ge(0))),
     m_(dict.getCheck<label>("order", labelMinMax(0, l_))),
     frame_(tensor::I),
@@ -116,7 +116,7 @@ Foam::capsule::analyticalSolutions::sphereHarmonic::sphereHarmonic
         }
     )
 {
-    if (!plane.spatial())
+    if (!directions.spatial())
     {
         FatalIOErrorInFunction(dict)
             << "Entry type: " << typeName << " needs a mesh without empty and"

@@ -58,12 +58,12 @@ Foam::capsule::analyticalSolutions::sphereMode::harmonic
 Foam::capsule::analyticalSolutions::sphereMode::sphereMode
 (
     const dictionary& dict,
-    const solvedDirections& plane,
+    const solvedDirections& directions,
     const Pair<scalar>& viscosity,
     const scalar density
 )
 :
-    polarSolution(dict, plane, viscosity, density),
+    polarSolution(dict, directions, viscosity, density),
     l_(dict.getCheck<label>("mode", labelMinMax::ge(0))),
     flow_
     (
@@ -76,8 +76,8 @@ Foam::capsule::analyticalSolutions::sphereMode::sphereMode
     const vector centre(dict.get<vector>("centre"));
     if
     (
-        !plane.axisymmetric()
-     || mag(plane.radius(plane(centre))) > 1e-9*radius_
+        !directions.axisymmetric()
+     || mag(directions.radius(directions(centre))) > 1e-9*radius_
     )
     {
         FatalIOErrorInFunction(dict)
