@@ -266,7 +266,7 @@ bool Foam::functionObjects::energyBalance::write()
         (system.driving().force() & gSum(U.primitiveField()*V))/sector;
     scalar membranes = 0;
     scalar gross = 0;
-    for (label i = 0; i < system.size(); ++i)
+    for (label i = 0; i < system.nMembranes(); ++i)
     {
         const capsule::closedSurface surface(system[i].surface());
         const capsule::nodalScalars power = system[i].power(surface);

@@ -185,7 +185,7 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
 
 
     scalar power = 0;
-    for (label i = 0; i < system.size(); ++i)
+    for (label i = 0; i < system.nMembranes(); ++i)
     {
         const capsule::membrane& m = system[i];
         const capsule::closedSurface surface(m.basis(), m.now().interface);

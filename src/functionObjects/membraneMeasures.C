@@ -275,7 +275,7 @@ bool Foam::functionObjects::membraneMeasures::write()
     const capsule::membraneSystem& system = membranes();
 
     // Walls of all processors
-    scalarList gaps(system.size(), Zero);
+    scalarList gaps(system.nMembranes(), Zero);
     if (system.directions().axisymmetric() || system.directions().spatial())
     {
         forAll(gaps, i)
@@ -294,7 +294,7 @@ bool Foam::functionObjects::membraneMeasures::write()
 
     if (files_.empty())
     {
-        files_.setSize(system.size());
+        files_.setSize(system.nMembranes());
         forAll(files_, i)
         {
             files_.set(i, newFileAtStartTime(system[i].name()));

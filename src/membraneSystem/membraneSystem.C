@@ -42,7 +42,7 @@ void Foam::capsule::membraneSystem::predict()
     const bool throwing = FatalError.throwExceptions();
     try
     {
-        for (immersedMembrane& m : parts_)
+        for (immersedBody& m : parts_)
         {
             ++nMoved_;
             m.predict(*method_);
@@ -52,7 +52,7 @@ void Foam::capsule::membraneSystem::predict()
     catch (const Foam::error& wrong)
     {
         failure_ =
-            "membrane " + parts_[nMoved_ - 1].body().name()
+            parts_[nMoved_ - 1].kind() + " " + parts_[nMoved_ - 1].name()
           + " cannot be placed: " + wrong.message();
     }
     FatalError.throwExceptions(throwing);
@@ -96,7 +96,7 @@ bool Foam::capsule::membraneSystem::loop()
     ++iter_;
     flowEquations::sources& sources = fields_->sources;
     sources.clear();
-    for (immersedMembrane& m : parts_)
+    for (immersedBody& m : parts_)
     {
         m.addSources(sources, flux_.get(), fields_->scale);
     }
@@ -119,9 +119,9 @@ void Foam::capsule::membraneSystem::correct(const bool solved)
     scalar displacement = 0;
     scalar offset = 0;
 
-    for (immersedMembrane& m : parts_)
+    for (immersedBody& m : parts_)
     {
-        const immersedMembrane::imbalance found =
+        const immersedBody::imbalance found =
             m.correct(U_, scaledPressure(), driving);
         stress = max(stress, found.stress);
         displacement = max(displacement, found.displacement);
@@ -192,7 +192,7 @@ bool Foam::capsule::membraneSystem::read()
 void Foam::capsule::membraneSystem::write() const
 {
     warnOfResolution();
-    for (const immersedMembrane& m : parts_)
+    for (const immersedBody& m : parts_)
     {
         m.write();
     }

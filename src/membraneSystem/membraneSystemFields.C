@@ -21,11 +21,11 @@ template<class Field>
 bool Foam::capsule::membraneSystem::setInside
 (
     Field& field,
-    scalar (immersedMembrane::*value)() const
+    scalar (immersedBody::*value)() const
 ) const
 {
     bool changed = false;
-    for (const immersedMembrane& m : parts_)
+    for (const immersedBody& m : parts_)
     {
         const scalar inside = (m.*value)();
         if (inside != 1)
@@ -45,7 +45,7 @@ void Foam::capsule::membraneSystem::setScale()
 {
     volScalarField& scale = fields_->scale;
     scale = dimensionedScalar("one", dimless, 1);
-    if (setInside(scale, &immersedMembrane::scale))
+    if (setInside(scale, &immersedBody::scale))
     {
         scale.correctBoundaryConditions();
     }
@@ -59,7 +59,7 @@ void Foam::capsule::membraneSystem::addDriven
 ) const
 {
     const solvedVector G = directions_(driving_.force());
-    for (const immersedMembrane& m : parts_)
+    for (const immersedBody& m : parts_)
     {
         const scalar a = (inverse ? 1/m.scale() : m.scale());
         if (a == 1 || G.isZero(0))
@@ -83,7 +83,7 @@ void Foam::capsule::membraneSystem::setViscosity()
     {
         volScalarField& mu = *fields_->sources.viscosity;
         mu = dimensionedScalar("mu", mu.dimensions(), mu_);
-        for (const immersedMembrane& m : parts_)
+        for (const immersedBody& m : parts_)
         {
             m.addViscosity(mu);
         }
@@ -110,7 +110,7 @@ Foam::capsule::membraneSystem::viscousTerm() const
     if (!uniform)
     {
         scalarField rows(mesh_.nCells(), 1);
-        setInside(rows, &immersedMembrane::viscousScale);
+        setInside(rows, &immersedBody::viscousScale);
         term.ref() *= volScalarField::Internal
         (
             IOobject("viscousScale", mesh_.time().timeName(), mesh_),
@@ -132,7 +132,7 @@ void Foam::capsule::membraneSystem::setFreshCells()
 
     volVectorField& freshCells = fields_->freshCells;
     freshCells = dimensionedVector(freshCells.dimensions(), Zero);
-    for (const immersedMembrane& m : parts_)
+    for (const immersedBody& m : parts_)
     {
         m.addFreshCells(freshCells);
     }
@@ -174,7 +174,7 @@ Foam::capsule::membraneSystem::velocityGradient() const
     (
         fv::gaussGrad<vector>::gradf(linearInterpolate(U_), "velocityGradient")
     );
-    for (const immersedMembrane& m : parts_)
+    for (const immersedBody& m : parts_)
     {
         m.addGradient(gradient.ref());
     }
@@ -201,7 +201,7 @@ Foam::capsule::membraneSystem::viscosity() const
             zeroGradientFvPatchScalarField::typeName
         )
     );
-    setInside(viscosity.ref(), &immersedMembrane::viscosityRatio);
+    setInside(viscosity.ref(), &immersedBody::viscosityRatio);
     viscosity.ref() *= mu_;
     viscosity.ref().correctBoundaryConditions();
     return viscosity;

@@ -10,8 +10,25 @@ License
 
 #include "membraneSystem.H"
 #include "membraneNames.H"
+#include "placedShape.H"
 #include "timeScheme.H"
 #include "sigFpe.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Kind and name of a membrane or body, in a sentence and at its start
+static Foam::string called(const Foam::capsule::immersedBody& part)
+{
+    return part.kind() + " " + part.name();
+}
+
+static Foam::string titled(const Foam::capsule::immersedBody& part)
+{
+    Foam::string title(called(part));
+    title[0] = std::toupper(title[0]);
+    return title;
+}
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -31,7 +48,7 @@ Foam::string Foam::capsule::membraneSystem::obstacle
     {
         if (clearance_->meet(samples[i], samples[j], cells))
         {
-            return "membrane " + parts_[j].body().name();
+            return called(parts_[j]);
         }
     }
     return string::null;
@@ -48,7 +65,7 @@ Foam::string Foam::capsule::membraneSystem::predictedObstacle() const
         (
             closedSurface
             (
-                parts_[i].body().basis(),
+                parts_[i].basis(),
                 parts_[i].predicted(time.deltaTValue(), time.deltaT0Value())
             )
         );
@@ -56,7 +73,7 @@ Foam::string Foam::capsule::membraneSystem::predictedObstacle() const
         if (!near.empty())
         {
             return
-                "membrane " + parts_[i].body().name() + " comes closer than "
+                called(parts_[i]) + " comes closer than "
               + Foam::name(clearance::least) + " cell widths to " + near;
         }
     }
@@ -69,14 +86,14 @@ void Foam::capsule::membraneSystem::warnOfResolution() const
     List<surfaceSamples> samples(parts_.size());
     forAll(parts_, i)
     {
-        const word& name = parts_[i].body().name();
-        const closedSurface surface(parts_[i].body().surface());
+        const string name = called(parts_[i]);
+        const closedSurface surface(parts_[i].presentSurface());
         samples[i] = clearance_->samples(surface);
         const string near = obstacle(i, samples, clearance::resolved);
         if (!near.empty())
         {
             WarningInFunction
-                << "Membrane " << name << " is closer than "
+                << titled(parts_[i]).c_str() << " is closer than "
                 << clearance::resolved << " cell widths to " << near.c_str()
                 << ": the film there is not resolved" << endl;
         }
@@ -85,18 +102,19 @@ void Foam::capsule::membraneSystem::warnOfResolution() const
         if (film < clearance::resolved)
         {
             WarningInFunction
-                << "Two parts of membrane " << name << " are " << film
+                << "Two parts of " << name.c_str() << " are " << film
                 << " cell widths apart at " << directions_.toPoint(where)
                 << ", less than " << clearance::resolved
                 << ": it is too thin there, or folded too closely, to be"
                 << " resolved" << endl;
         }
         const scalar spacing = clearance_->spacing(surface);
-        if (spacing > membrane::widestSpacing)
+        if (spacing > placedShape::widestSpacing)
         {
             WarningInFunction
-                << "Points of membrane " << name << " are " << spacing
-                << " cell widths apart, more than " << membrane::widestSpacing
+                << "Points of " << name.c_str() << " are " << spacing
+                << " cell widths apart, more than "
+                << placedShape::widestSpacing
                 << ": it is not resolved there; see its entry "
                 << (directions_.spatial() ? "degree" : "points") << endl;
         }
@@ -107,18 +125,43 @@ void Foam::capsule::membraneSystem::warnOfResolution() const
 
 void Foam::capsule::membraneSystem::warnOfMomentumLayer
 (
-    const immersedMembrane& part
+    const immersedBody& part
 ) const
 {
     const scalar thickness = part.momentumThickness();
     if (thickness < clearance::resolved)
     {
         WarningInFunction
-            << "The motion of membrane " << part.body().name() << " changes so"
-            << " fast that its momentum spreads over " << thickness
+            << "The motion of " << called(part).c_str()
+            << " changes so fast that its momentum spreads over " << thickness
             << " cell widths of the thinner liquid, less than "
             << clearance::resolved << ": this layer, and the damping by it, are"
             << " not resolved" << endl;
+    }
+}
+
+
+void Foam::capsule::membraneSystem::add
+(
+    autoPtr<immersedBody> part,
+    const dictionary& dict,
+    List<surfaceSamples>& samples
+)
+{
+    const label i = parts_.size();
+    parts_.append(part);
+    samples.append(clearance_->samples(parts_[i].presentSurface()));
+    const string near = obstacle(i, samples, clearance::least);
+    if (!near.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << titled(parts_[i]).c_str() << " touches or crosses "
+            << near.c_str() << nl
+            << "    Membranes and bodies must lie inside the mesh, at least "
+            << clearance::least << " cell widths from its boundaries and"
+            << " from each other; see the entries "
+            << flatOutput(dict.subDict("shape").toc()) << " of shape"
+            << exit(FatalIOError);
     }
 }
 
@@ -140,8 +183,7 @@ void Foam::capsule::membraneSystem::readMembranes()
                 << " holds one dictionary for each membrane"
                 << exit(FatalIOError);
         }
-        const label i = parts_.size();
-        parts_.append
+        add
         (
             immersedMembrane::New
             (
@@ -152,22 +194,11 @@ void Foam::capsule::membraneSystem::readMembranes()
                 mesh_,
                 rho_,
                 mu_
-            )
+            ),
+            e.dict(),
+            samples
         );
-
-        samples.append(clearance_->samples(parts_[i].body().surface()));
-        const string near = obstacle(i, samples, clearance::least);
-        if (!near.empty())
-        {
-            FatalIOErrorInFunction(e.dict())
-                << "Membrane " << e.keyword() << " touches or crosses "
-                << near.c_str() << nl
-                << "    Membranes must lie inside the mesh, at least "
-                << clearance::least << " cell widths from its boundaries and"
-                << " from each other; see the entries "
-                << flatOutput(e.dict().subDict("shape").toc()) << " of shape"
-                << exit(FatalIOError);
-        }
+        ++nMembranes_;
     }
 }
 
@@ -224,6 +255,7 @@ Foam::capsule::membraneSystem::membraneSystem
     rho_(rho.value()),
     mu_(mu.value()),
     driving_(driving),
+    nMembranes_(0),
     method_
     (
         // Wrong names may have taken the rest of the file with them
@@ -285,7 +317,7 @@ Foam::capsule::membraneSystem::membraneSystem
         residual_.reset(new combinedResidual(residuals));
     }
     bool scaled = false;
-    for (immersedMembrane& m : parts_)
+    for (immersedBody& m : parts_)
     {
         m.start(U_);
         scaled = scaled || m.scale() != 1;

@@ -43,16 +43,16 @@ static IOobject fieldOf(const passiveParticleCloud& cloud, const word& name)
 
 void Foam::capsule::membrane::writeCloud(const fvMesh& mesh) const
 {
-    const closedSurface now(surface());
-    nodalVectors wrapped(now.nodes().topRows(basis_->nCounted()));
+    const closedSurface present(surface());
+    nodalVectors wrapped(present.nodes().topRows(basis_->nCounted()));
     for (Eigen::Index i = 0; i < wrapped.rows(); ++i)
     {
-        wrapped.row(i) = directions_.images().wrapped(now.nodes().row(i));
+        wrapped.row(i) = directions_.images().wrapped(present.nodes().row(i));
     }
     const pointField points(directions_.toPoints(wrapped));
 
     // Each point has one owner: the lowest processor that finds it
-    auto owned = emptyCloud<passiveParticleCloud>(mesh, name_);
+    auto owned = emptyCloud<passiveParticleCloud>(mesh, name());
     passiveParticleCloud& cloud = *owned;
     DynamicList<label> mine;
     forAll(points, i)
@@ -85,9 +85,9 @@ void Foam::capsule::membrane::writeCloud(const fvMesh& mesh) const
         }
         field.write();
     };
-    writeVectors("velocity", now_.velocity);
-    writeVectors("force", force(now, now.areaElement()));
-    const membraneMechanics::principalValues p = principal(now);
+    writeVectors("velocity", now().velocity);
+    writeVectors("force", force(present, present.areaElement()));
+    const membraneMechanics::principalValues p = principal(present);
     writeScalars("stretch", p.l1);
     writeScalars("tension", p.T1);
     if (directions_.axisymmetric())

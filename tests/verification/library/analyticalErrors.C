@@ -60,9 +60,9 @@ Foam::scalar Foam::functionObjects::analyticalErrors::interfaceError
         mesh_.findObject<capsule::membraneSystem>("membraneProperties");
 
     scalar largest = 0;
-    for (label i = 0; membranes && i < membranes->size(); ++i)
+    for (label i = 0; membranes && i < membranes->nMembranes(); ++i)
     {
-        const capsule::membrane::state& now = (*membranes)[i].now();
+        const capsule::interfaceState& now = (*membranes)[i].now();
         for (label node = 0; node < now.x.rows(); ++node)
         {
             const capsule::solvedVector exact =
@@ -84,14 +84,14 @@ Foam::boolList Foam::functionObjects::analyticalErrors::inside
         mesh_.findObject<capsule::membraneSystem>("membraneProperties");
 
     boolList result(mesh_.nCells(), false);
-    if (!membranes || membranes->size() == 0)
+    if (!membranes || membranes->nMembranes() == 0)
     {
         forAll(result, celli)
         {
             result[celli] = exact_->inside(directions_(mesh_.C()[celli]), t);
         }
     }
-    for (label i = 0; membranes && i < membranes->size(); ++i)
+    for (label i = 0; membranes && i < membranes->nMembranes(); ++i)
     {
         const capsule::membrane& m = (*membranes)[i];
         const capsule::closedSurface surface(m.basis(), m.now().interface);

@@ -181,7 +181,7 @@ const Foam::capsule::oneSidedFit& Foam::capsule::diffuseMembrane::fit() const
 
 void Foam::capsule::diffuseMembrane::start(const volVectorField& U)
 {
-    membrane::state& now = membrane_.now();
+    interfaceState& now = membrane_.now();
     place(now.interface);
     if (membrane_.nOld() == 0)
     {
@@ -197,7 +197,7 @@ void Foam::capsule::diffuseMembrane::predict(const couplingMethod& method)
     place(predictedCurve.nodes());
 
     // Shorter waves fade in the spreading
-    const nodalFilter slow = filter(surface(), forceWaves_);
+    const nodalFilter slow = levelSet().filter(surface(), forceWaves_);
     nodalMatrix response =
         freeSpaceResponse::singleLayer(surface(), 0.5*(1 + ratio_)*mu_);
     const label n = basis().nPacked();

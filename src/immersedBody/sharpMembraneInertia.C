@@ -15,11 +15,11 @@ License
 
 Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::viscousForce
 (
-    const membrane::state& s
+    const interfaceState& s
 ) const
 {
     const closedSurface at(membrane_.basis(), s.interface);
-    const nodalVectors f = resolved(at, filter(at, forceWaves_), s.force);
+    const nodalVectors f = interface_.resolved(at, s);
 
     return at.gradient(dot(f, at.normal())) + at.tangential(s.inertia);
 }
@@ -30,7 +30,7 @@ void Foam::capsule::sharpMembrane::setScale()
     if (ratio_ != 1)
     {
         const scalar inertia =
-            rho_*flowScheme().c*sqr(interface_->levelSet().width());
+            rho_*flowScheme().c*sqr(levelSet().width());
         scaling_ = momentumScaling(ratio_, inertia > 0 ? mu_/inertia : GREAT);
     }
 }
@@ -39,7 +39,7 @@ void Foam::capsule::sharpMembrane::setScale()
 Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::inertia() const
 {
     const timeScheme& scheme = flowScheme();
-    const membrane::state& now = membrane_.now();
+    const interfaceState& now = membrane_.now();
 
     nodalVectors force =
         scheme.c*now.velocity - scheme.c0*membrane_.old(0).velocity;
@@ -67,9 +67,9 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::inertia() const
         const scalar a = scaling_.relaxation();
         tangential = a*tangential + (1 - a)*(oldViscousForce_ - along);
     }
-    return surface().filtered
+    return interface_.filtered
     (
-        resolving_, scaled(normal, surface().normal()) + tangential
+        scaled(normal, surface().normal()) + tangential
     );
 }
 
@@ -102,7 +102,7 @@ Foam::capsule::sharpMembrane::pressureLaplacian() const
     }
 
     const nodalScalars inside =
-        fitSide() > 0 ? nodalScalars(fitted - jump) : fitted;
+        interface_.fitSide() > 0 ? nodalScalars(fitted - jump) : fitted;
     return -rho_*((1 - scaling_.scale())*inside + jump);
 }
 
@@ -112,10 +112,10 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::relaxedForce
     const nodalScalars& df
 ) const
 {
-    const nodalVectors f = resolved(surface(), resolving_, basis().unpack(df));
-    const nodalVectors along = surface().filtered
+    const nodalVectors f = interface_.resolved(basis().unpack(df));
+    const nodalVectors along = interface_.filtered
     (
-        resolving_, surface().gradient(dot(f, surface().normal()))
+        surface().gradient(dot(f, surface().normal()))
     );
     return
         levelSet().width()*(1 - scaling_.relaxation())*basis().pack(along);
@@ -127,7 +127,7 @@ Foam::capsule::sharpMembrane::momentumRate() const
 {
     const timeScheme& scheme = flowScheme();
 
-    const auto flow = [&](const membrane::state& s)
+    const auto flow = [&](const interfaceState& s)
     {
         return closedSurface(basis(), s.x).flow(s.velocity);
     };
@@ -181,36 +181,4 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::inertiaResidualChange
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::capsule::sharpMembrane::addFreshCells(volVectorField& ddtU) const
-{
-    const timeScheme& scheme = flowScheme();
-    const scalar weights[2] = {scheme.c0, -scheme.c00};
-    const membraneLevelSet& present = interface_->levelSet();
-
-    for (label level = 0; level < 2; ++level)
-    {
-        if (!old_[level].valid() || weights[level] == 0)
-        {
-            continue;
-        }
-
-        // The old value as the new side of the cell saw it
-        const membraneLevelSet& old = old_[level]->levelSet();
-        for (const label celli : present.inside())
-        {
-            if (!old.contains(celli))
-            {
-                ddtU[celli] -= weights[level]*old_[level]->jumpU(celli);
-            }
-        }
-        for (const label celli : old.inside())
-        {
-            if (!present.contains(celli))
-            {
-                ddtU[celli] += weights[level]*old_[level]->jumpU(celli);
-            }
-        }
-    }
-}
+// ************************************************************************* //

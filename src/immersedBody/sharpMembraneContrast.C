@@ -103,7 +103,7 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastTraction
       - (surface().nodes().rowwise() - levelSet().centre())*driving.transpose();
     nodalVectors viscous = fluid_.viscous(n, mu_);
     nodalVectors vorticity = mu_*fluid_.vorticity(n);
-    if (fitSide() > 0)
+    if (interface_.fitSide() > 0)
     {
         const nodalVectors f = resolvedForce();
         const nodalVectors along = surface().tangential(f);

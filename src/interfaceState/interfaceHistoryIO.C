@@ -8,8 +8,9 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "membrane.H"
+#include "interfaceHistory.H"
 #include "wholeFile.H"
+#include "input.H"
 #include "OSHA1stream.H"
 #include "sigFpe.H"
 #include "IOdictionary.H"
@@ -21,7 +22,7 @@ namespace Foam
 namespace capsule
 {
 
-//- Where the states of a membrane are written
+//- Where the states of an interface are written
 static IOobject stateFile
 (
     const word& name,
@@ -46,16 +47,16 @@ static IOobject stateFile
 static const struct
 {
     const char* name;
-    nodalVectors membrane::state::* field;
+    nodalVectors interfaceState::* field;
 }
 stateFields[] =
 {
-    {"points", &membrane::state::x},
-    {"interface", &membrane::state::interface},
-    {"force", &membrane::state::force},
-    {"inertia", &membrane::state::inertia},
-    {"velocity", &membrane::state::velocity},
-    {"vorticity", &membrane::state::vorticity}
+    {"points", &interfaceState::x},
+    {"interface", &interfaceState::interface},
+    {"force", &interfaceState::force},
+    {"inertia", &interfaceState::inertia},
+    {"velocity", &interfaceState::velocity},
+    {"vorticity", &interfaceState::vorticity}
 };
 
 //- Version of the file: the first had vorticity and pressure in one field
@@ -106,21 +107,26 @@ public:
 };
 
 
-//- Writer of the time levels of a membrane
+//- Writer of the time levels
 class stateWriter
 :
     public regIOobject
 {
-    const membrane& membrane_;
+    const interfaceHistory& history_;
 
     const solvedDirections& directions_;
 
 public:
 
-    stateWriter(const membrane& m, const solvedDirections& directions, const Time& runTime)
+    stateWriter
+    (
+        const interfaceHistory& history,
+        const solvedDirections& directions,
+        const Time& runTime
+    )
     :
-        regIOobject(stateFile(m.name(), runTime, IOobject::NO_READ)),
-        membrane_(m),
+        regIOobject(stateFile(history.name(), runTime, IOobject::NO_READ)),
+        history_(history),
         directions_(directions)
     {}
 
@@ -134,11 +140,11 @@ public:
     {
         stateDigest digest;
         os.writeEntry("version", stateVersion);
-        os.writeEntry("oldLevels", membrane_.nOld());
-        for (label i = 0; i <= membrane_.nOld(); ++i)
+        os.writeEntry("oldLevels", history_.nOld());
+        for (label i = 0; i <= history_.nOld(); ++i)
         {
-            const membrane::state& s =
-                (i == 0 ? membrane_.now() : membrane_.old(i - 1));
+            const interfaceState& s =
+                (i == 0 ? history_.now() : history_.old(i - 1));
             os.beginBlock(word("level" + Foam::name(i)));
             for (const auto& entry : stateFields)
             {
@@ -171,7 +177,7 @@ public:
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::capsule::membrane::checkStart
+void Foam::capsule::interfaceHistory::checkStart
 (
     const dictionary& file,
     const Time& runTime,
@@ -217,7 +223,9 @@ void Foam::capsule::membrane::checkStart
 }
 
 
-bool Foam::capsule::membrane::readState
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::capsule::interfaceHistory::read
 (
     const dictionary& properties,
     const Time& runTime
@@ -257,18 +265,18 @@ bool Foam::capsule::membrane::readState
     stateDigest digest;
     const auto check = [&](const dictionary& in, const word& name, const label n)
     {
-        if (n != size())
+        if (n != now_.x.rows())
         {
             FatalIOErrorInFunction(in)
                 << "Entry " << name << " has " << n << " points, but membrane "
-                << name_ << " has " << size() << exit(FatalIOError);
+                << name_ << " has " << now_.x.rows() << exit(FatalIOError);
         }
     };
-    const auto read = [&](const label i)
+    const auto readLevel = [&](const label i)
     {
         const dictionary& level =
             input::subDict(dict, "level" + Foam::name(i));
-        state s;
+        interfaceState s;
         for (const auto& entry : stateFields)
         {
             const vectorField field
@@ -287,11 +295,11 @@ bool Foam::capsule::membrane::readState
         return s;
     };
 
-    now_ = read(0);
+    now_ = readLevel(0);
     old_.setSize(input::getBetween<label>(dict, "oldLevels", 0, 2));
     forAll(old_, i)
     {
-        old_[i] = read(i + 1);
+        old_[i] = readLevel(i + 1);
     }
 
     if (input::get<string>(dict, "digest") != digest.str())
@@ -308,9 +316,14 @@ bool Foam::capsule::membrane::readState
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::capsule::membrane::write(const Time& runTime) const
+void Foam::capsule::interfaceHistory::write(const Time& runTime) const
 {
-    writeAtomically(stateWriter(*this, directions_, runTime), runTime.writeFormat());
+    writeAtomically
+    (
+        stateWriter(*this, directions_, runTime),
+        runTime.writeFormat()
+    );
 }
+
+
+// ************************************************************************* //

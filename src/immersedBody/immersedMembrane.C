@@ -31,46 +31,8 @@ namespace capsule
 
 const Foam::scalar Foam::capsule::immersedMembrane::maxMove_ = 2;
 
-const Foam::Enum<Foam::capsule::immersedMembrane::levelSetWritten>
-Foam::capsule::immersedMembrane::levelSetNames_
-({
-    { levelSetWritten::none, "none" },
-    { levelSetWritten::near, "near" },
-    { levelSetWritten::whole, "whole" },
-});
-
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
-
-Foam::capsule::nodalFilter Foam::capsule::immersedMembrane::filter
-(
-    const closedSurface& surface,
-    const scalar waves
-) const
-{
-    return surface.basis().lowPass
-    (
-        waves*surface.meanRadius()/levelSet().width()
-    );
-}
-
-
-void Foam::capsule::immersedMembrane::setFlowScheme()
-{
-    flowScheme_.reset(new timeScheme(mesh_, "ddt(U)", membrane_.nOld()));
-}
-
-
-Foam::capsule::closedSurface
-Foam::capsule::immersedMembrane::predictedSurface() const
-{
-    return closedSurface
-    (
-        membrane_.basis(),
-        predicted(mesh_.time().deltaTValue(), mesh_.time().deltaT0Value())
-    );
-}
-
 
 void Foam::capsule::immersedMembrane::extrapolateState(const nodalVectors& nodes)
 {
@@ -78,23 +40,14 @@ void Foam::capsule::immersedMembrane::extrapolateState(const nodalVectors& nodes
     {
         layer_->add(membrane_, mesh_.time().deltaT0Value());
     }
-    membrane_.store();
-
-    membrane::state& now = membrane_.now();
-    now.interface = nodes;
-    now.x = nodes;
-    if (membrane_.nOld() == 2)
-    {
-        const scalar ratio =
-            mesh_.time().deltaTValue()/mesh_.time().deltaT0Value();
-        const membrane::state& old = membrane_.old(0);
-        const membrane::state& older = membrane_.old(1);
-
-        now.force += ratio*(old.force - older.force);
-        now.velocity += ratio*(old.velocity - older.velocity);
-        now.vorticity += ratio*(old.vorticity - older.vorticity);
-        now.pressure += ratio*(old.pressure - older.pressure);
-    }
+    interfaceHistory& history = membrane_.history();
+    history.store();
+    history.now().interface = nodes;
+    history.now().x = nodes;
+    history.extrapolate
+    (
+        mesh_.time().deltaTValue()/mesh_.time().deltaT0Value()
+    );
     setFlowScheme();
 }
 
@@ -142,7 +95,7 @@ void Foam::capsule::immersedMembrane::setResponse
             membrane_,
             surface(),
             predictedCurve,
-            filter(surface(), membraneMotion::waves),
+            levelSet().filter(surface(), membraneMotion::waves),
             setMembraneScheme(),
             method.conserveArea()
         )
@@ -176,13 +129,9 @@ Foam::capsule::immersedMembrane::immersedMembrane
     const scalar viscosity
 )
 :
-    levelSet_(levelSetWritten::near),
+    immersedBody(dict, directions, mesh, density, viscosity),
     forceNoise_(0),
     implicit_(true),
-    mesh_(mesh),
-    directions_(directions),
-    rho_(density),
-    mu_(viscosity),
     membrane_(name, dict, directions, mesh),
     ratio_(membrane_.viscosity()/viscosity)
 {
@@ -192,21 +141,10 @@ Foam::capsule::immersedMembrane::immersedMembrane
     {
         layer_.reset(new momentumLayer);
     }
-    if (dict.found("levelSet"))
-    {
-        const word name(input::get<word>(dict, "levelSet"));
-        if (!levelSetNames_.found(name))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry levelSet is " << name << "; permitted: "
-                << flatOutput(levelSetNames_.toc()) << exit(FatalIOError);
-        }
-        levelSet_ = levelSetNames_[name];
-    }
 }
 
 
-Foam::autoPtr<Foam::capsule::immersedMembrane>
+Foam::autoPtr<Foam::capsule::immersedBody>
 Foam::capsule::immersedMembrane::New
 (
     const dictionary& coupling,
@@ -231,7 +169,10 @@ Foam::capsule::immersedMembrane::New
             *dictionaryConstructorTablePtr_
         ) << exit(FatalIOError);
     }
-    return cstrIter()(name, dict, directions, mesh, density, viscosity);
+    return autoPtr<immersedBody>
+    (
+        cstrIter()(name, dict, directions, mesh, density, viscosity).ptr()
+    );
 }
 
 
@@ -243,7 +184,7 @@ Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted
     const scalar dt0
 ) const
 {
-    const membrane::state& now = membrane_.now();
+    const interfaceState& now = membrane_.now();
 
     if (membrane_.nOld() > 0)
     {
@@ -264,7 +205,7 @@ Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted
 
 void Foam::capsule::immersedMembrane::restore()
 {
-    membrane_.restore();
+    membrane_.history().restore();
     setFlowScheme();
     setMembraneScheme();
     // Its curve goes with the interface
@@ -293,7 +234,7 @@ Foam::capsule::immersedMembrane::correct
 )
 {
     const label n = nForce();
-    membrane::state& now = membrane_.now();
+    interfaceState& now = membrane_.now();
 
     const nodalVectors fluid = velocity(U, p);
     now.velocity = motion_->velocity(fluid);
@@ -326,16 +267,6 @@ Foam::capsule::immersedMembrane::correct
 }
 
 
-Foam::scalar Foam::capsule::immersedMembrane::offset() const
-{
-    const membrane::state& now = membrane_.now();
-
-    return
-        (now.x - now.interface).rowwise().norm().maxCoeff()
-       /levelSet().width();
-}
-
-
 Foam::scalar Foam::capsule::immersedMembrane::momentumThickness() const
 {
     const scalar width = levelSet().width();
@@ -349,14 +280,9 @@ Foam::scalar Foam::capsule::immersedMembrane::momentumThickness() const
 
 void Foam::capsule::immersedMembrane::write() const
 {
-    membrane_.write(mesh_.time());
+    immersedBody::write();
     membrane_.writeCloud(mesh_);
-    if (levelSet_ == levelSetWritten::near)
-    {
-        levelSet().near()().write();
-    }
-    else if (levelSet_ == levelSetWritten::whole)
-    {
-        levelSet().whole()().write();
-    }
 }
+
+
+// ************************************************************************* //
