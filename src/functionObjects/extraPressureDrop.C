@@ -220,7 +220,8 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
             system.directions().sector()
            *surface.integral
             (
-                (m.viscosity()/mu_ - 1)*dot(U, traction)
+                (m.viscosity() - system.outerViscosity(i))/mu_
+               *dot(U, traction)
               - dot(F, empty.value.leftCols(surface.nComponents()))
             );
     }

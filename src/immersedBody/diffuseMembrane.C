@@ -199,7 +199,7 @@ void Foam::capsule::diffuseMembrane::predict(const couplingMethod& method)
     // Shorter waves fade in the spreading
     const nodalFilter slow = levelSet().filter(surface(), forceWaves_);
     nodalMatrix response =
-        freeSpaceResponse::singleLayer(surface(), 0.5*(1 + ratio_)*mu_);
+        freeSpaceResponse::singleLayer(surface(), 0.5*(1 + ratio_)*outerViscosity());
     const label n = basis().nPacked();
     for (label i = 0; i < basis().nComponents(); ++i)
     {
@@ -233,7 +233,7 @@ void Foam::capsule::diffuseMembrane::addViscosity(volScalarField& mu) const
     {
         return;
     }
-    const scalar excess = (ratio_ - 1)*mu_;
+    const scalar excess = (ratio_ - 1)*outerViscosity();
     for (const label celli : levelSet_->inside())
     {
         mu[celli] += excess;

@@ -32,6 +32,13 @@ Foam::capsule::immersedBody::levelSetNames_
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
+void Foam::capsule::immersedBody::setSurroundings()
+{
+    rho_ = density_*outerScale();
+    mu_ = viscosity_*outerViscousScale();
+}
+
+
 void Foam::capsule::immersedBody::setFlowScheme()
 {
     flowScheme_.reset(new timeScheme(mesh_, "ddt(U)", history().nOld()));
@@ -61,6 +68,9 @@ Foam::capsule::immersedBody::immersedBody
 )
 :
     levelSet_(levelSetWritten::near),
+    density_(density),
+    viscosity_(viscosity),
+    outer_(nullptr),
     mesh_(mesh),
     directions_(directions),
     rho_(density),
@@ -81,6 +91,16 @@ Foam::capsule::immersedBody::immersedBody
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::capsule::solvedVector
+Foam::capsule::immersedBody::pressureOrigin() const
+{
+    return
+        outer_
+      ? levelSet().image(directions_.toPoint(outer_->pressureOrigin()))
+      : levelSet().centre();
+}
+
 
 Foam::scalar Foam::capsule::immersedBody::offset() const
 {

@@ -67,7 +67,7 @@ Foam::scalar Foam::capsule::immersedMembrane::forceNoise
         membrane_.force(closedSurface(membrane_.basis(), x), at.areaElement())
       - membrane_.force(at, at.areaElement());
 
-    return SMALL*at.nodes().cwiseAbs().maxCoeff()/height*rms(change);
+    return outerScale()*SMALL*at.nodes().cwiseAbs().maxCoeff()/height*rms(change);
 }
 
 
@@ -101,7 +101,7 @@ void Foam::capsule::immersedMembrane::setResponse
         )
     );
     implicit_ = method.implicitStress();
-    explicitForce_ = membrane_.force(predictedCurve, surface().areaElement());
+    explicitForce_ = force(predictedCurve);
     forceNoise_ = forceNoise(predictedCurve);
     fluidJacobian_ = fluidJacobian;
     mobility_ = mobility;
@@ -177,6 +177,13 @@ Foam::capsule::immersedMembrane::New
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::capsule::immersedMembrane::setOuter(const immersedBody& outer)
+{
+    immersedBody::setOuter(outer);
+    ratio_ = membrane_.viscosity()/outerViscosity();
+}
+
 
 Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted
 (

@@ -37,7 +37,7 @@ void Foam::capsule::immersedMembrane::linearise
 {
     // Forces are per area of the step's interface
     const nodalScalars area =
-        at.areaElement().cwiseQuotient(surface().areaElement());
+        outerScale()*at.areaElement().cwiseQuotient(surface().areaElement());
     const label n = basis().nPacked();
     forceJacobian_ = membrane_.forceJacobian(at, fullTangent);
     for (label i = 0; i < basis().nComponents(); ++i)
@@ -63,10 +63,7 @@ Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::residual
     result.head(n) += basis().pack
     (
         implicit_
-      ? membrane_.force
-        (
-            movedSurface(basis().unpack(y.head(n))), surface().areaElement()
-        )
+      ? force(movedSurface(basis().unpack(y.head(n))))
       : explicitForce_
     );
     return result;

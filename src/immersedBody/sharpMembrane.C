@@ -77,9 +77,18 @@ Foam::capsule::sharpMembrane::sharpMembrane
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::capsule::sharpMembrane::setOuter(const immersedBody& outer)
+{
+    immersedMembrane::setOuter(outer);
+    scaling_ = momentumScaling(ratio_);
+    interface_.setFitSide(ratio_ < 1 ? 1 : -1);
+}
+
+
 void Foam::capsule::sharpMembrane::start(const volVectorField& U)
 {
     U_ = &U;
+    setSurroundings();
     interfaceState& now = membrane_.now();
     interface_.start(unsteady(), mu_);
     setScale();
@@ -99,6 +108,7 @@ void Foam::capsule::sharpMembrane::start(const volVectorField& U)
 
 void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
 {
+    setSurroundings();
     const closedSurface predicted(predictedSurface());
     extrapolateState(interface_.smoothed(predicted));
     interface_.advance(unsteady(), mu_);
@@ -177,7 +187,10 @@ void Foam::capsule::sharpMembrane::addSources
             fluid_ = fit()(*U_, nullptr);
         }
         interface_.setJumps(f, m, pressureLaplacian(), mu_);
-        interface_.addConvection(*flux, rho_, scale, sources.momentum);
+        interface_.addConvection
+        (
+            *flux, rho_/outerScale(), scale, sources.momentum
+        );
     }
 
     const solvedVector resultant = surface().resultant(f);

@@ -100,7 +100,7 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastTraction
     // The real pressure, scaled: see membraneSystem, driven flow
     nodalScalars pressure =
         fluid_.pressure(mu_)
-      - (surface().nodes().rowwise() - levelSet().centre())*driving.transpose();
+      - (surface().nodes().rowwise() - pressureOrigin())*driving.transpose();
     nodalVectors viscous = fluid_.viscous(n, mu_);
     nodalVectors vorticity = mu_*fluid_.vorticity(n);
     if (interface_.fitSide() > 0)

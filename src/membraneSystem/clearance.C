@@ -80,7 +80,27 @@ static nodalVectors inBox
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::capsule::clearance::meetHere
+Foam::List<Foam::capsule::solvedVector> Foam::capsule::clearance::moves
+(
+    const surfaceSamples& of,
+    const surfaceSamples& near
+) const
+{
+    const solvedVector centre = middle(of.points());
+    List<solvedVector> result(1, solvedVector(0*centre));
+    if (!directions_.images().periods().empty())
+    {
+        result = directions_.images().images(centre, middle(near.points()));
+        for (solvedVector& image : result)
+        {
+            image -= centre;
+        }
+    }
+    return result;
+}
+
+
+bool Foam::capsule::clearance::close
 (
     const surfaceSamples& a,
     const surfaceSamples& b,
@@ -112,7 +132,7 @@ bool Foam::capsule::clearance::meetHere
             return true;
         }
     }
-    return a.contains(moved.row(0)) || b.contains(a.points().row(0) - move);
+    return false;
 }
 
 
@@ -168,21 +188,37 @@ bool Foam::capsule::clearance::meet
 (
     const surfaceSamples& a,
     const surfaceSamples& b,
-    const scalar cells
+    const scalar cells,
+    const bool nested
 ) const
 {
-    const solvedVector centre = middle(b.points());
-    if (directions_.images().periods().empty())
+    for (const solvedVector& move : moves(b, a))
     {
-        return meetHere(a, b, 0*centre, cells);
+        if (close(a, b, move, cells))
+        {
+            return true;
+        }
     }
-    const List<solvedVector> images
-    (
-        directions_.images().images(centre, middle(a.points()))
-    );
-    for (const solvedVector& image : images)
+    return nested != (inside(a, b) || inside(b, a));
+}
+
+
+bool Foam::capsule::clearance::inside
+(
+    const surfaceSamples& inner,
+    const surfaceSamples& outer
+) const
+{
+    const solvedVector low = outer.points().colwise().minCoeff();
+    const solvedVector high = outer.points().colwise().maxCoeff();
+    for (const solvedVector& move : moves(inner, outer))
     {
-        if (meetHere(a, b, image - centre, cells))
+        const solvedVector x = inner.points().row(0) + move;
+        if
+        (
+            min((x - low).minCoeff(), (high - x).minCoeff()) >= 0
+         && outer.contains(x)
+        )
         {
             return true;
         }

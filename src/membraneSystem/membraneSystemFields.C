@@ -24,11 +24,14 @@ bool Foam::capsule::membraneSystem::setInside
     scalar (immersedBody::*value)() const
 ) const
 {
+    // Those around others go first
     bool changed = false;
-    for (const immersedBody& m : parts_)
+    forAll(parts_, i)
     {
+        const immersedBody& m = parts_[i];
+        const label outer = nesting_.outer(i);
         const scalar inside = (m.*value)();
-        if (inside != 1)
+        if (inside != (outer < 0 ? 1 : (parts_[outer].*value)()))
         {
             changed = true;
             for (const label celli : m.levelSet().inside())
@@ -59,10 +62,15 @@ void Foam::capsule::membraneSystem::addDriven
 ) const
 {
     const solvedVector G = directions_(driving_.force());
-    for (const immersedBody& m : parts_)
+    forAll(parts_, i)
     {
-        const scalar a = (inverse ? 1/m.scale() : m.scale());
-        if (a == 1 || G.isZero(0))
+        const immersedBody& m = parts_[i];
+        const label outer = nesting_.outer(i);
+        const scalar scales[2] =
+            {outer < 0 ? 1 : parts_[outer].scale(), m.scale()};
+        const scalar a =
+            inverse ? 1/scales[0] - 1/scales[1] : scales[0] - scales[1];
+        if (a == 0 || G.isZero(0))
         {
             continue;
         }
@@ -70,8 +78,7 @@ void Foam::capsule::membraneSystem::addDriven
         for (const label celli : levelSet.inside())
         {
             pressure[celli] +=
-                (1 - a)
-               *G.dot(levelSet.image(mesh_.C()[celli]) - levelSet.centre());
+                a*G.dot(levelSet.image(mesh_.C()[celli]) - m.pressureOrigin());
         }
     }
 }

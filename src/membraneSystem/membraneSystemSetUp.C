@@ -46,7 +46,13 @@ Foam::string Foam::capsule::membraneSystem::obstacle
     }
     for (label j = 0; j < i; ++j)
     {
-        if (clearance_->meet(samples[i], samples[j], cells))
+        if
+        (
+            clearance_->meet
+            (
+                samples[i], samples[j], cells, nesting_.nested(i, j)
+            )
+        )
         {
             return called(parts_[j]);
         }
@@ -141,31 +147,6 @@ void Foam::capsule::membraneSystem::warnOfMomentumLayer
 }
 
 
-void Foam::capsule::membraneSystem::add
-(
-    autoPtr<immersedBody> part,
-    const dictionary& dict,
-    List<surfaceSamples>& samples
-)
-{
-    const label i = parts_.size();
-    parts_.append(part);
-    samples.append(clearance_->samples(parts_[i].presentSurface()));
-    const string near = obstacle(i, samples, clearance::least);
-    if (!near.empty())
-    {
-        FatalIOErrorInFunction(dict)
-            << titled(parts_[i]).c_str() << " touches or crosses "
-            << near.c_str() << nl
-            << "    Membranes and bodies must lie inside the mesh, at least "
-            << clearance::least << " cell widths from its boundaries and"
-            << " from each other; see the entries "
-            << flatOutput(dict.subDict("shape").toc()) << " of shape"
-            << exit(FatalIOError);
-    }
-}
-
-
 void Foam::capsule::membraneSystem::readMembranes()
 {
     const dictionary& dict = input::subDict(*this, "membranes");
@@ -173,7 +154,6 @@ void Foam::capsule::membraneSystem::readMembranes()
     {
         clearance_.reset(new clearance(mesh_, directions_));
     }
-    List<surfaceSamples> samples;
     for (const entry& e : dict)
     {
         if (!e.isDict())
@@ -183,7 +163,7 @@ void Foam::capsule::membraneSystem::readMembranes()
                 << " holds one dictionary for each membrane"
                 << exit(FatalIOError);
         }
-        add
+        parts_.append
         (
             immersedMembrane::New
             (
@@ -194,11 +174,52 @@ void Foam::capsule::membraneSystem::readMembranes()
                 mesh_,
                 rho_,
                 mu_
-            ),
-            e.dict(),
-            samples
+            )
         );
         ++nMembranes_;
+    }
+}
+
+
+void Foam::capsule::membraneSystem::nest()
+{
+    List<surfaceSamples> samples(parts_.size());
+    forAll(parts_, i)
+    {
+        samples[i] = clearance_->samples(parts_[i].presentSurface());
+    }
+    nesting_ = nesting(*clearance_, samples);
+    const labelList newPlace(nesting_.sort());
+    parts_.reorder(newPlace);
+    inplaceReorder(newPlace, samples);
+
+    forAll(parts_, i)
+    {
+        const dictionary& dict = subDict("membranes").subDict(parts_[i].name());
+        if (nesting_.outer(i) >= 0)
+        {
+            if (dict.found("load"))
+            {
+                FatalIOErrorInFunction(dict)
+                    << titled(parts_[i]).c_str() << " lies inside "
+                    << called(parts_[nesting_.outer(i)]).c_str()
+                    << " and has an entry load; permitted there: none"
+                    << exit(FatalIOError);
+            }
+            parts_[i].setOuter(parts_[nesting_.outer(i)]);
+        }
+        const string near = obstacle(i, samples, clearance::least);
+        if (!near.empty())
+        {
+            FatalIOErrorInFunction(dict)
+                << titled(parts_[i]).c_str() << " touches or crosses "
+                << near.c_str() << nl
+                << "    Membranes must lie inside the mesh, at least "
+                << clearance::least << " cell widths from its boundaries and"
+                << " from each other; see the entries "
+                << flatOutput(dict.subDict("shape").toc()) << " of shape"
+                << exit(FatalIOError);
+        }
     }
 }
 
@@ -307,6 +328,7 @@ Foam::capsule::membraneSystem::membraneSystem
     readMembranes();
     if (size())
     {
+        nest();
         fields_.reset(new fields(mesh_));
 
         UPtrList<interfaceResidual> residuals(size());
