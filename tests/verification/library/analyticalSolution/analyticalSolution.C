@@ -70,12 +70,13 @@ Foam::capsule::analyticalSolution::New(const fvMesh& mesh)
     (
         constantDictionary("membraneProperties", mesh)
     );
+    // The first is that of the solution, others are in it
     const dictionary& all = membranes.subDict("membranes");
-    if (all.size() != 1)
+    if (all.empty())
     {
         FatalIOErrorInFunction(all)
-            << "An analytical solution is that of one membrane, not of "
-            << all.toc() << exit(FatalIOError);
+            << "An analytical solution needs a membrane"
+            << exit(FatalIOError);
     }
 
     const word type(dict.get<word>("type"));
