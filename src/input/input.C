@@ -124,7 +124,8 @@ Foam::wordList Foam::capsule::input::functionObjectEntries()
         "executeControl", "executeInterval", "writeControl", "writeInterval",
         "outputControl", "outputInterval", "controlMode", "triggerStart",
         "triggerEnd", "errors", "resetOnStartUp", "useNamePrefix",
-        "writePrecision", "writeToFile", "useUserTime", "writeFormat"
+        "writePrecision", "writeToFile", "useUserTime", "updateHeader",
+        "writeFormat"
     };
 }
 
