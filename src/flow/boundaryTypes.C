@@ -53,10 +53,11 @@ static const wordHashSet refusedVelocities
 
 static const wordHashSet refusedPressures
 ({
-    "buoyantPressure", "fanPressure", "fixedFluxExtrapolatedPressure",
-    "fixedFluxPressure", "fixedMean", "fixedPressureCompressibleDensity",
-    "freeSurfacePressure", "mapped", "mappedField", "outletMappedUniformInlet",
-    "plenumPressure", "prghPressure", "prghTotalHydrostaticPressure",
+    "buoyantPressure", "electrostaticDeposition", "fanPressure",
+    "fixedFluxExtrapolatedPressure", "fixedFluxPressure", "fixedMean",
+    "fixedPressureCompressibleDensity", "freeSurfacePressure", "mapped",
+    "mappedField", "outletMappedUniformInlet", "plenumPressure",
+    "prghPressure", "prghTotalHydrostaticPressure",
     "prghTotalPressure", "rotatingTotalPressure", "syringePressure",
     "turbulentInlet", "uniformDensityHydrostaticPressure",
     "waveSurfacePressure"
