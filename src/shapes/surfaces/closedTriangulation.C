@@ -11,7 +11,7 @@ License
 #include "closedTriangulation.H"
 #include "input.H"
 #include "MeshedSurfaces.H"
-#include "mergePoints.H"
+#include "releases.H"
 #include "boundBox.H"
 #include "EdgeMap.H"
 #include "mathematicalConstants.H"
@@ -103,8 +103,7 @@ void Foam::capsule::closedTriangulation::weld()
             << exit(FatalIOError);
     }
     labelList merged;
-    const label nMerged =
-        mergePoints(points_, same*extent_, false, merged, points_[0]);
+    const label nMerged = coincident(points_, same*extent_, merged);
     pointField points(nMerged);
     forAll(merged, i)
     {
