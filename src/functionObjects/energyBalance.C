@@ -39,7 +39,10 @@ const char* Foam::functionObjects::energyBalance::unit() const
     // Before there are membranes, when it runs afterwards
     const capsule::solvedDirections directions(mesh_);
 
-    return directions.axisymmetric() || directions.spatial() ? " [W]" : " [W/m]";
+    return
+        directions.axisymmetric() || directions.spatial()
+      ? " [W]"
+      : " [W/m]";
 }
 
 

@@ -197,7 +197,8 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
                 system.fit(i).smooth(*emptyU_, *emptyp_).value
                .leftCols(surface.nComponents());
             power -=
-                system.directions().sector()*surface.integral(dot(m.now().force, u0));
+                system.directions().sector()
+               *surface.integral(dot(m.now().force, u0));
             continue;
         }
         const nodalVectors& n = surface.normal();

@@ -257,7 +257,8 @@ Foam::capsule::membraneVtk::membraneVtk
 {
     const solvedVector centre = surface_.centroid();
     fields_ =
-        surface_.nodes().rowwise() + (directions.images().wrapped(centre) - centre);
+        surface_.nodes().rowwise()
+      + (directions.images().wrapped(centre) - centre);
 
     addVectors("velocity", m.now().velocity);
     addVectors("force", m.force(surface_, surface_.areaElement()));

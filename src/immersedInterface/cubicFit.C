@@ -24,6 +24,12 @@ namespace capsule
 static const scalar distinct = 0.3;
 
 
+//- Value and gradient at the origin, of one polynomial and of each
+typedef Eigen::Matrix<scalar, Eigen::Dynamic, 1, 0, 4, 1> fitColumn;
+typedef Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic, 0, 4, 20>
+    ofMonomials;
+
+
 //- Monomials up to the third degree, in order, at points: 10, in space 20
 static nodalMatrix monomials(const nodalVectors& points)
 {
@@ -66,25 +72,38 @@ Foam::capsule::fitRows Foam::capsule::cubicFit
 {
     const label n = points.rows();
     const label linear = 1 + points.cols();
-    nodalMatrix basis = weights.asDiagonal()*monomials(points);
+    nodalMatrix basis = monomials(points);
+    basis.array().colwise() *= weights.array();
     const label nMonomials = basis.cols();
 
     // Gram-Schmidt, twice: orthonormal columns, and value and gradient at the
-    // origin of their polynomials
-    fitRows rows(fitRows::Zero(linear, n));
-    fitRows origin(fitRows::Identity(linear, nMonomials));
+    // origin of their polynomials, times the part of each that counts
+    nodalScalars q(n);
+    ofMonomials origin(linear, nMonomials);
+    ofMonomials counted(linear, nMonomials);
     label kept = 0;
 
     for (label j = 0; j < nMonomials; ++j)
     {
-        nodalScalars q = basis.col(j);
-        nodalScalars atOrigin = origin.col(j);
+        q = basis.col(j);
+        fitColumn atOrigin(fitColumn::Zero(linear));
+        if (j < linear)
+        {
+            atOrigin(j) = 1;
+        }
         const scalar size = q.norm();
         for (label pass = 0; pass < 2; ++pass)
         {
-            const nodalScalars along = basis.leftCols(kept).transpose()*q;
-            q -= basis.leftCols(kept)*along;
-            atOrigin -= origin.leftCols(kept)*along;
+            scalar along[20];
+            for (label k = 0; k < kept; ++k)
+            {
+                along[k] = basis.col(k).dot(q);
+            }
+            for (label k = 0; k < kept; ++k)
+            {
+                q -= along[k]*basis.col(k);
+                atOrigin -= along[k]*origin.col(k);
+            }
         }
         const scalar own = q.norm();
         if (own <= 1e-6*size)
@@ -98,11 +117,16 @@ Foam::capsule::fitRows Foam::capsule::cubicFit
         }
         basis.col(kept) = q/own;
         origin.col(kept) = atOrigin/own;
-
-        const scalar part =
-            (j < linear ? 1 : min(sqr(own/distinct), scalar(1)));
-        rows += part*origin.col(kept)*basis.col(kept).transpose();
+        counted.col(kept) =
+            (j < linear ? 1 : min(sqr(own/distinct), scalar(1)))
+           *origin.col(kept);
         ++kept;
+    }
+
+    fitRows rows(fitRows::Zero(linear, n));
+    for (label k = 0; k < kept; ++k)
+    {
+        rows += counted.col(k)*basis.col(k).transpose();
     }
     return rows*weights.asDiagonal();
 }

@@ -54,12 +54,61 @@ Foam::Pair<Foam::capsule::faceParts::located> Foam::capsule::faceParts::ends
 }
 
 
+bool Foam::capsule::faceParts::meet
+(
+    const located& from,
+    const located& to,
+    scalar& xi
+) const
+{
+    // Newton on x(alpha) = from + xi (to - from)
+    const closedSurface& surface = levelSet_.surface();
+    const auto cross = [](const vector2& a, const vector2& b)
+    {
+        return a(0)*b(1) - a(1)*b(0);
+    };
+    const vector2 start =
+        levelSet_.image(levelSet_.directions().toPoint(from.x));
+    const vector2 way = to.x - from.x;
+    const scalar longest = surface.basis().spacing();
+    surfaceParameter at = from.foot;
+    xi = from.distance/(from.distance - to.distance);
+
+    for (label iter = 0; iter < 8; ++iter)
+    {
+        const surfacePoint p = surface.expand(at);
+        const vector2 slope = p.first[0];
+        const vector2 r = vector2(p.x) - start - xi*way;
+        const scalar det = cross(slope, way);
+        const scalar step[2] = {-cross(r, way)/det, 0};
+        if (!(mag(step[0]) < longest))
+        {
+            return false;
+        }
+        const scalar change = cross(slope, r)/det;
+        at = surface.basis().moved(at, step);
+        xi += change;
+        if (mag(change)*way.norm() < 1e-10*levelSet_.width())
+        {
+            return xi >= 0 && xi <= 1;
+        }
+    }
+    return false;
+}
+
+
 Foam::scalar Foam::capsule::faceParts::crossing
 (
     const located& from,
     const located& to
 ) const
 {
+    scalar meeting;
+    if (meet(from, to, meeting))
+    {
+        return meeting;
+    }
+
     // Regula falsi with halving (Illinois) on the signed distance
     scalar a = 0, b = 1, fa = from.distance, fb = to.distance, xi = 0;
     surfaceParameter foot = from.foot;

@@ -47,6 +47,45 @@ void Foam::capsule::immersedInterface::addOnFace
 }
 
 
+void Foam::capsule::immersedInterface::setFaces()
+{
+    // What linear interpolation to a face gets wrong of its average, in the
+    // flux: n.(w (1 - w)/2 d d - M/2) : grad grad u, with d between the cell
+    // centres and M the second moment of the face about its centre, for a face
+    // e along the plane e e/12, in a wedge e e/12 (1 - (e.e_r)^2/(12 r^2)) with
+    // r its middle, in space the sum for two sides e of a rectangle
+    const fvMesh& mesh = levelSet_.mesh();
+    const solvedDirections& directions = levelSet_.directions();
+    const label n = faces_.farSideLinks().size();
+    normal_.resize(n, directions.size());
+    across_.resize(n, directions.size());
+    for (label k = 0; k < directions.size() - 1; ++k)
+    {
+        along_[k].resize(n, directions.size());
+    }
+    weight_.resize(n);
+    for (label i = 0; i < n; ++i)
+    {
+        const cutFaces::cutLink& v = faces_.links()[faces_.farSideLinks()[i]];
+        const solvedVector S = directions(cutFaces::value(mesh.Sf(), v.face));
+        normal_.row(i) = S.normalized();
+        across_.row(i) = faces_.acrossFace(v.face);
+        const nodalVectors corners =
+            directions.corners(mesh.points(), mesh.faces()[v.face]);
+        for (label k = 0; k < directions.size() - 1; ++k)
+        {
+            along_[k].row(i) = corners.row(k + 1) - corners.row(k);
+        }
+        if (directions.axisymmetric())
+        {
+            const scalar r = directions.radius(corners.colwise().mean());
+            along_[0].row(i) *= Foam::sqrt(1 - sqr(along_[0](i, 1)/r)/12);
+        }
+        weight_(i) = 0.5*v.weight*(1 - v.weight);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::immersedInterface::immersedInterface
@@ -79,6 +118,7 @@ Foam::capsule::immersedInterface::immersedInterface
     cut_ = cut;
     cutVolume_ = volume(cut_);
     insideVolume_ = volume(levelSet_.inside());
+    setFaces();
 }
 
 
@@ -98,48 +138,13 @@ void Foam::capsule::immersedInterface::setJumps(const jumpConditions& jumps)
     gradp_ = jumps.pressureGradient(owners_);
     farSideU_ = jumps.velocity(farSideParts_);
 
-    // What linear interpolation to a face gets wrong of its average, in the
-    // flux: n.(w (1 - w)/2 d d - M/2) : grad grad u, with d between the cell
-    // centres and M the second moment of the face about its centre, for a face
-    // e along the plane e e/12, in a wedge e e/12 (1 - (e.e_r)^2/(12 r^2)) with
-    // r its middle, in space the sum for two sides e of a rectangle
-    const fvMesh& mesh = levelSet_.mesh();
-    const solvedDirections& directions = levelSet_.directions();
-    const label n = faces_.farSideLinks().size();
-    nodalVectors normal(n, directions.size());
-    nodalVectors across(n, directions.size());
-    nodalVectors along[2];
-    for (label k = 0; k < directions.size() - 1; ++k)
-    {
-        along[k].resize(n, directions.size());
-    }
-    nodalScalars weight(n);
-    for (label i = 0; i < n; ++i)
-    {
-        const cutFaces::cutLink& v = faces_.links()[faces_.farSideLinks()[i]];
-        const solvedVector S = directions(cutFaces::value(mesh.Sf(), v.face));
-        normal.row(i) = S.normalized();
-        across.row(i) = faces_.acrossFace(v.face);
-        const nodalVectors corners =
-            directions.corners(mesh.points(), mesh.faces()[v.face]);
-        for (label k = 0; k < directions.size() - 1; ++k)
-        {
-            along[k].row(i) = corners.row(k + 1) - corners.row(k);
-        }
-        if (directions.axisymmetric())
-        {
-            const scalar r = directions.radius(corners.colwise().mean());
-            along[0].row(i) *= Foam::sqrt(1 - sqr(along[0](i, 1)/r)/12);
-        }
-        weight(i) = 0.5*v.weight*(1 - v.weight);
-    }
     nodalVectors error =
-        scaled(weight, jumps.velocityCurvature(centres_, across));
-    for (label k = 0; k < directions.size() - 1; ++k)
+        scaled(weight_, jumps.velocityCurvature(centres_, across_));
+    for (label k = 0; k < levelSet_.directions().size() - 1; ++k)
     {
-        error -= jumps.velocityCurvature(centres_, along[k])/24;
+        error -= jumps.velocityCurvature(centres_, along_[k])/24;
     }
-    interpolationError_ = dot(normal, error);
+    interpolationError_ = dot(normal_, error);
 }
 
 
@@ -159,8 +164,8 @@ Foam::vector Foam::capsule::immersedInterface::addLaplacian
         if (v.cell != -1)
         {
             const vector flux =
-                mu*cutFaces::value(delta, v.face)*cutFaces::value(mesh.magSf(), v.face)
-               *v.side*seenU(v);
+                mu*cutFaces::value(delta, v.face)
+               *cutFaces::value(mesh.magSf(), v.face)*v.side*seenU(v);
             source[v.cell] +=
                 (v.side < 0 ? scale : 1)
                *flux/mesh.V()[v.cell];
@@ -295,7 +300,8 @@ void Foam::capsule::immersedInterface::addInterpolationDivergence
         if (v.cell != -1)
         {
             const scalar flux =
-               -v.sign*v.side*interpolationError_(i)*cutFaces::value(mesh.magSf(), v.face);
+               -v.sign*v.side*interpolationError_(i)
+               *cutFaces::value(mesh.magSf(), v.face);
             divergence[v.cell] += flux/mesh.V()[v.cell];
             total += flux;
         }

@@ -159,7 +159,16 @@ Foam::capsule::nodalVectors Foam::capsule::jumpConditions::pressureGradient
                     (i == j) + d(k)*p(k, 2 + 2*d_ + i*d_ + j);
             }
         }
-        result.row(k) += along.row(k)*parallel.inverse();
+        if (d_ == 2)
+        {
+            const Eigen::Matrix<scalar, 2, 2> plane = parallel;
+            result.row(k) += along.row(k)*plane.inverse();
+        }
+        else
+        {
+            const Eigen::Matrix<scalar, 3, 3> space = parallel;
+            result.row(k) += along.row(k)*space.inverse();
+        }
     }
     return result;
 }

@@ -30,41 +30,62 @@ Foam::capsule::membraneLevelSet::newField(const scalar outside) const
 }
 
 
+Foam::boundBox Foam::capsule::membraneLevelSet::box() const
+{
+    return boundBox
+    (
+        directions_.toPoint(samples_.colwise().minCoeff()),
+        directions_.toPoint(samples_.colwise().maxCoeff())
+    );
+}
+
+
+bool Foam::capsule::membraneLevelSet::farInside(const solvedVector& x) const
+{
+    const label sample = search_.nearest(x);
+    const surfacePoint p = surface_.expand(surface_.basis().samples()[sample]);
+    return (x - p.x).dot(closedSurface::normal(p)) < 0;
+}
+
+
 void Foam::capsule::membraneLevelSet::setCells
 (
     const UList<label>& candidates,
-    const nodalVectors& normals,
     const scalar reach
 )
 {
     const pointField& centres = cellSearch::New(mesh_).centres();
+    const boundBox box(this->box());
     DynamicList<scalar> distances;
+    solvedVector last;
+    bool inside = false;
 
     for (const label celli : candidates)
     {
         const solvedVector x = image(centres[celli]);
-        const point c = directions_.toPoint(x);
-        pointIndexHit hit = tree_->findNearest(c, sqr(reach));
-        scalar distance;
-        if (hit.hit())
+        scalar bound = sqr(reach);
+        const label sample = search_.nearest(x, bound);
+        if (sample != -1)
         {
-            surfaceParameter foot = parameters_[hit.index()];
-            distance = surface_.signedDistance(x, foot);
+            surfaceParameter foot = surface_.basis().samples()[sample];
+            const scalar distance = surface_.signedDistance(x, foot);
             cells_.append(celli);
             feet_.append(foot);
             distances.append(distance);
+            inside = (distance < 0);
         }
-        else
+        else if (last.size() == 0 || (x - last).squaredNorm() > sqr(band_))
         {
-            // Far off, the nearest sample tells the side
-            hit = tree_->findNearest(c, sqr(GREAT));
-            distance =
-                (x - directions_(hit.hitPoint())).dot(normals.row(hit.index()));
+            inside = box.contains(directions_.toPoint(x)) && farInside(x);
         }
-        if (distance < 0)
+        // Else the surface, further off than the band is wide, does not pass
+        // between the cell and the last one
+
+        if (inside)
         {
             inside_.append(celli);
         }
+        last = x;
     }
 
     distance_ =
@@ -87,36 +108,19 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     mesh_(mesh),
     directions_(directions),
     surface_(surface),
-    parameters_(surface.basis().samples()),
-    samples_(parameters_.size()),
+    samples_(surface.sampled()),
+    search_(samples_),
     width_(0),
     band_(0),
     centre_(directions.size())
 {
-    nodalVectors normals(samples_.size(), directions.size());
-    forAll(samples_, i)
-    {
-        const surfacePoint sample = surface.expand(parameters_[i]);
-        samples_[i] = directions.toPoint(sample.x);
-        normals.row(i) = closedSurface::normal(sample);
-    }
-    centre_ = directions(boundBox(samples_, false).midpoint());
+    const boundBox samplesBox(box());
+    centre_ = directions(samplesBox.midpoint());
 
     // Geometry that the processors make together: not later, on those alone
     // that hold a part of the membrane
     mesh.C();
     mesh.nonOrthDeltaCoeffs();
-
-    treeBoundBox bounds(samples_);
-    bounds.min() -= vector::uniform(0.6*surface.meanRadius());
-    bounds.max() += vector::uniform(0.6*surface.meanRadius());
-    tree_.reset
-    (
-        new indexedOctree<treeDataPoint>
-        (
-            treeDataPoint(samples_), bounds, 8, 10, 3
-        )
-    );
 
     const cellSearch& search = cellSearch::New(mesh);
     const pointField& centres = search.centres();
@@ -125,12 +129,15 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     const scalar sampleSpacing = surface.sampleSpacing();
     const List<solvedVector> images
     (
-        directions.images().images(centre_, directions.images().wrapped(centre_))
+        directions.images().images
+        (
+            centre_, directions.images().wrapped(centre_)
+        )
     );
     const auto boxAround = [&](const scalar margin, const solvedVector& image)
     {
         const vector shift(directions.toVector(image - centre_));
-        boundBox box(samples_, false);
+        boundBox box(samplesBox);
         box.min() += shift - vector::uniform(margin);
         box.max() += shift + vector::uniform(margin);
         return box;
@@ -162,9 +169,9 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     {
         const scalar h = search.ofCell(celli).largest();
         const solvedVector x = image(centres[celli]);
-        const pointIndexHit hit =
-            tree_->findNearest(directions.toPoint(x), sqr(h + sampleSpacing));
-        if (hit.hit() && sees(directions(hit.hitPoint()), x))
+        scalar bound = sqr(h + sampleSpacing);
+        const label sample = search_.nearest(x, bound);
+        if (sample != -1 && sees(samples_.row(sample), x))
         {
             width_ = max(width_, h);
         }
@@ -174,7 +181,7 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     band_ = bandWidth*width_;
     const scalar reach = band_ + sampleSpacing;
     findObstacles(reach);
-    setCells(around(reach), normals, reach);
+    setCells(around(reach), reach);
 }
 
 
@@ -188,20 +195,18 @@ Foam::scalar Foam::capsule::membraneLevelSet::signedDistance
 {
     solvedVector nearest = x;
     label sample = -1;
-    scalar bound = sqr(GREAT);
+    scalar bound = GREAT*GREAT;
     for (const solvedVector& image : directions_.images().images(x, centre_))
     {
-        const point c = directions_.toPoint(image);
-        const pointIndexHit hit = tree_->findNearest(c, bound);
-        if (hit.hit())
+        const label closer = search_.nearest(image, bound);
+        if (closer != -1)
         {
             nearest = image;
-            sample = hit.index();
-            bound = magSqr(hit.hitPoint() - c);
+            sample = closer;
         }
     }
 
-    foot = parameters_[sample];
+    foot = surface_.basis().samples()[sample];
     return surface_.signedDistance(nearest, foot);
 }
 
@@ -212,7 +217,8 @@ Foam::scalar Foam::capsule::membraneLevelSet::signedDistanceFrom
     surfaceParameter& foot
 ) const
 {
-    return surface_.signedDistance(directions_.images().image(x, centre_), foot);
+    return
+        surface_.signedDistance(directions_.images().image(x, centre_), foot);
 }
 
 
@@ -253,7 +259,8 @@ Foam::tmp<Foam::volScalarField> Foam::capsule::membraneLevelSet::whole() const
     forAll(field, celli)
     {
         surfaceParameter foot;
-        field[celli] *= mag(signedDistance(directions_(mesh_.C()[celli]), foot));
+        field[celli] *=
+            mag(signedDistance(directions_(mesh_.C()[celli]), foot));
     }
     forAll(field.boundaryField(), patchi)
     {

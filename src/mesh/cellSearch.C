@@ -19,12 +19,17 @@ namespace Foam
 namespace capsule
 {
 
-static pointField middles(const fvMesh& mesh, const solvedDirections& directions)
+static pointField middles
+(
+    const fvMesh& mesh,
+    const solvedDirections& directions
+)
 {
     pointField result(mesh.nCells());
     forAll(result, celli)
     {
-        result[celli] = directions.toPoint(directions(mesh.cellCentres()[celli]));
+        result[celli] =
+            directions.toPoint(directions(mesh.cellCentres()[celli]));
     }
     return result;
 }
@@ -81,7 +86,8 @@ static solvedTensor directionsOf
         result.row(1) = turned(result.row(0));
         return result;
     }
-    solvedVector second = result.row(1) - result.row(1).dot(result.row(0))*result.row(0);
+    const solvedVector second =
+        result.row(1) - result.row(1).dot(result.row(0))*result.row(0);
     result.row(1) = second.normalized();
     const vector third =
         directions.toVector(result.row(0)) ^ directions.toVector(result.row(1));

@@ -44,7 +44,12 @@ Foam::capsule::periodicImages::periodicImages
             FatalErrorInFunction
                 << "The patch " << pp.name() << " of type " << pp.type()
                 << " in " << mesh.boundaryMesh().objectPath() << " couples"
-                << (coupled.parallel() ? " faces that do not match" : " by a rotation")
+                <<
+                (
+                    coupled.parallel()
+                  ? " faces that do not match"
+                  : " by a rotation"
+                )
                 << nl << "    Permitted: cyclic patches with a translation."
                 << exit(FatalError);
         }
@@ -73,7 +78,8 @@ Foam::capsule::periodicImages::periodicImages
                     FatalErrorInFunction
                         << "The cyclic patches in "
                         << mesh.boundaryMesh().objectPath() << " have the"
-                        << " periods " << directions.toVector(p) << " and " << directions.toVector(q)
+                        << " periods " << directions.toVector(p) << " and "
+                        << directions.toVector(q)
                         << nl << "    Periods must be perpendicular."
                         << exit(FatalError);
                 }

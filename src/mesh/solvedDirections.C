@@ -26,8 +26,8 @@ void Foam::capsule::solvedDirections::setPlane(const fvMesh& mesh)
         FatalErrorInFunction
             << "The mesh in " << mesh.boundaryMesh().objectPath() << " has "
             << mesh.nGeometricD() << " solved directions" << nl
-            << "    Permitted: two, with two opposite patches of type empty or a"
-            << " wedge, two patches of type wedge, or three."
+            << "    Permitted: two, with two opposite patches of type empty or"
+            << " a wedge, two patches of type wedge, or three."
             << exit(FatalError);
     }
     label nEmpty = 0;
@@ -267,7 +267,10 @@ Foam::Pair<Foam::capsule::vector2> Foam::capsule::solvedDirections::ends
 }
 
 
-Foam::pointField Foam::capsule::solvedDirections::toPoints(const nodalVectors& x) const
+Foam::pointField Foam::capsule::solvedDirections::toPoints
+(
+    const nodalVectors& x
+) const
 {
     pointField result(x.rows());
     forAll(result, i)

@@ -24,13 +24,18 @@ namespace capsule
 //- Weights of Int ln(4 sin^2((a - b)/2)) g(b) db, by distance of the nodes
 static nodalScalars logarithmWeights(const label n)
 {
+    nodalScalars cosines(n);
+    for (label j = 0; j < n; ++j)
+    {
+        cosines(j) = std::cos(j*twoPi/n);
+    }
     nodalScalars weights(n);
     for (label j = 0; j < n; ++j)
     {
         scalar sum = 0;
         for (label m = 1; 2*m < n; ++m)
         {
-            sum += std::cos(m*twoPi*j/n)/m;
+            sum += cosines(m*j % n)/m;
         }
         weights(j) = -2*twoPi/n*sum;
         if (n % 2 == 0)
@@ -62,29 +67,38 @@ Foam::capsule::nodalMatrix Foam::capsule::lineResponse::singleLayer
     // logarithm is that of distance over the size of the curve
     const scalar size = curve.perimeter()/twoPi;
 
+    // Squares of the nodes' distances on a circle of that size
+    nodalScalars chords(n);
+    for (label j = 0; j < n; ++j)
+    {
+        chords(j) = 4*sqr(size*std::sin(0.5*h*j));
+    }
+
+    // Symmetric but for the length that a node stands for
     for (label i = 0; i < n; ++i)
     {
-        for (label j = 0; j < n; ++j)
+        for (label j = 0; j <= i; ++j)
         {
             const vector2 r = curve.nodes().row(i) - curve.nodes().row(j);
             const scalar r2 = r.squaredNorm();
-            const vector2 e =
-                i == j ? vector2(curve.tangent().row(i)) : vector2(r.normalized());
-
             const scalar smooth =
                 i == j
               ? std::log(curve.metric()(i)/size)
-              : 0.5*std::log(r2/(4*sqr(size*std::sin(0.5*h*(i - j)))));
-            const scalar logarithm =
-                h*smooth + 0.5*weights(std::abs(i - j));
+              : 0.5*std::log(r2/chords(i - j));
+            const scalar logarithm = h*smooth + 0.5*weights(i - j);
 
-            const scalar scale = curve.metric()(j)/(4*pi*mu);
+            const vector2 e =
+                i == j
+              ? vector2(curve.tangent().row(i))
+              : vector2(r/std::sqrt(r2));
             for (label a = 0; a < 2; ++a)
             {
                 for (label b = 0; b < 2; ++b)
                 {
-                    result(a*n + i, b*n + j) =
-                        scale*(h*e(a)*e(b) - (a == b ? logarithm : 0));
+                    const scalar kernel =
+                        (h*e(a)*e(b) - (a == b ? logarithm : 0))/(4*pi*mu);
+                    result(a*n + i, b*n + j) = curve.metric()(j)*kernel;
+                    result(a*n + j, b*n + i) = curve.metric()(i)*kernel;
                 }
             }
         }
@@ -108,7 +122,9 @@ Foam::capsule::nodalMatrix Foam::capsule::lineResponse::adjointDoubleLayer
         {
             const vector2 r = curve.nodes().row(i) - curve.nodes().row(j);
             const vector2 e =
-                i == j ? vector2(curve.tangent().row(i)) : vector2(r.normalized());
+                i == j
+              ? vector2(curve.tangent().row(i))
+              : vector2(r.normalized());
 
             // (r.n)/r^2 tends to half the curvature
             const scalar kernel =

@@ -168,26 +168,16 @@ Foam::scalar Foam::capsule::closedSurface::inclination() const
 {
     const solvedTensor m = secondMoments();
     const scalar size = m.diagonal().cwiseAbs().sum();
-    scalar twice[2] = {m(0, 0) - m(1, 1), 2*m(0, 1)};
-    if (spatial())
-    {
-        const vector2 axis =
-            Eigen::SelfAdjointEigenSolver<Eigen::Matrix<scalar, 3, 3>>(m)
-           .eigenvectors().col(2).head<2>().transpose();
-        if (m.diagonal().maxCoeff() - m.diagonal().minCoeff() > 1e-6*size)
-        {
-            twice[0] = size*(sqr(axis(0)) - sqr(axis(1)));
-            twice[1] = size*2*axis(0)*axis(1);
-        }
-    }
-    if (std::hypot(twice[0], twice[1]) <= 1e-6*size)
+    const scalar along = m(0, 0) - m(1, 1);
+    const scalar across = 2*m(0, 1);
+    if (std::hypot(along, across) <= 1e-6*size)
     {
         return 0;
     }
 
     // What rounding leaves must not turn an axis along the second direction
     // from 90 to -90 degrees
-    return 0.5*std::atan2(mag(twice[1]) > 2e-10*size ? twice[1] : 0, twice[0]);
+    return 0.5*std::atan2(mag(across) > 2e-10*size ? across : 0, along);
 }
 
 

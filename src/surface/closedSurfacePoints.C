@@ -14,7 +14,7 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::capsule::closedSurface::footStep
+bool Foam::capsule::closedSurface::footStep
 (
     const solvedVector& x,
     const surfacePoint& at,
@@ -31,14 +31,14 @@ void Foam::capsule::closedSurface::footStep
         const scalar slope = d.dot(at.first[0]);
         const scalar gauss = at.first[0].squaredNorm();
         const scalar bend = gauss + d.dot(at.second[0]);
+        const bool convex = (bend > 0.1*gauss);
         step[0] =
             std::max
             (
-                -maxStep,
-                std::min(maxStep, -slope/(bend > 0.1*gauss ? bend : gauss))
+                -maxStep, std::min(maxStep, -slope/(convex ? bend : gauss))
             );
         step[1] = 0;
-        return;
+        return convex;
     }
 
     Eigen::Matrix<scalar, 2, 2> gauss, bend;
@@ -59,6 +59,7 @@ void Foam::capsule::closedSurface::footStep
     s *= std::min(scalar(1), maxStep/std::max(s.norm(), SMALL));
     step[0] = s(0);
     step[1] = s(1);
+    return convex;
 }
 
 
@@ -144,24 +145,56 @@ Foam::capsule::solvedVector Foam::capsule::closedSurface::normal
 }
 
 
-Foam::capsule::surfaceParameter Foam::capsule::closedSurface::nearest
+Foam::capsule::surfacePoint Foam::capsule::closedSurface::foot
 (
     const solvedVector& x,
-    surfaceParameter at
+    surfaceParameter& at
 ) const
 {
+    // Until the step is round-off; where Newton's steps go on as the last two,
+    // quadratically, until the next one would be
+    surfacePoint p;
+    scalar step[2] = {0, 0};
+    scalar last = 0;
+    scalar length = 0;
     for (label iter = 0; iter < 20; ++iter)
     {
-        scalar step[2];
-        footStep(x, expand(at), step);
+        p = expand(at);
+        const bool convex = footStep(x, p, step);
         at = basis_->moved(at, step);
 
-        if (std::hypot(step[0], step[1]) < 1e-12)
+        length = std::hypot(step[0], step[1]);
+        if
+        (
+            length < 1e-12
+         || (convex && length < 1e-6 && pow3(length) < 1e-13*sqr(last))
+        )
         {
             break;
         }
+        last = length;
     }
-    return at;
+
+    // What the last step changes: without another expansion, if it is small
+    if (length >= 1e-6)
+    {
+        return expand(at);
+    }
+    if (spatial())
+    {
+        p.x +=
+            step[0]*p.first[0] + step[1]*p.first[1]
+          + 0.5*sqr(step[0])*p.second[0] + step[0]*step[1]*p.second[1]
+          + 0.5*sqr(step[1])*p.second[2];
+        p.first[0] += step[0]*p.second[0] + step[1]*p.second[1];
+        p.first[1] += step[0]*p.second[1] + step[1]*p.second[2];
+    }
+    else
+    {
+        p.x += step[0]*p.first[0] + 0.5*sqr(step[0])*p.second[0];
+        p.first[0] += step[0]*p.second[0];
+    }
+    return p;
 }
 
 
@@ -171,17 +204,16 @@ Foam::scalar Foam::capsule::closedSurface::signedDistance
     surfaceParameter& at
 ) const
 {
-    at = nearest(x, at);
-    const surfacePoint foot = expand(at);
-    const solvedVector d = x - foot.x;
+    const surfacePoint p = foot(x, at);
+    const solvedVector d = x - p.x;
 
-    return d.dot(normal(foot)) < 0 ? -d.norm() : d.norm();
+    return d.dot(normal(p)) < 0 ? -d.norm() : d.norm();
 }
 
 
 Foam::capsule::nodalVectors Foam::capsule::closedSurface::sampled() const
 {
-    const List<surfaceParameter> samples(basis_->samples());
+    const List<surfaceParameter>& samples = basis_->samples();
     nodalVectors x(samples.size(), nComponents());
     forAll(samples, i)
     {
@@ -232,7 +264,7 @@ Foam::scalar Foam::capsule::closedSurface::sampleSpacing() const
 
 Foam::capsule::solvedVector Foam::capsule::closedSurface::extents() const
 {
-    const List<surfaceParameter> samples(basis_->samples());
+    const List<surfaceParameter>& samples = basis_->samples();
     const nodalVectors x = sampled();
 
     solvedVector result(nComponents());

@@ -38,6 +38,12 @@ Foam::capsule::curveBasis::curveBasis(const label n)
     }
 
     derivative_[0] = slopes*analysis_;
+
+    samples_.setSize(4*n);
+    forAll(samples_, i)
+    {
+        samples_[i] = surfaceParameter(i*twoPi/samples_.size(), 0, 0);
+    }
 }
 
 
@@ -55,8 +61,20 @@ Foam::capsule::nodalScalars Foam::capsule::curveBasis::functions
     const label order
 ) const
 {
-    // Order 1, cos, sin, cos 2, sin 2, ...; derivatives by a phase shift
     nodalScalars f(n_);
+    setFunctions(alpha, order, f);
+    return f;
+}
+
+
+void Foam::capsule::curveBasis::setFunctions
+(
+    const scalar alpha,
+    const label order,
+    Eigen::Ref<nodalScalars> f
+) const
+{
+    // Order 1, cos, sin, cos 2, sin 2, ...; derivatives by a phase shift
     f(0) = (order == 0 ? 1 : 0);
 
     const scalar c1 = std::cos(alpha);
@@ -77,8 +95,6 @@ Foam::capsule::nodalScalars Foam::capsule::curveBasis::functions
             f(i + 1) = (order == 0 ? s : order == 1 ? k*c : -k*k*s);
         }
     }
-
-    return f;
 }
 
 
@@ -112,12 +128,13 @@ Foam::capsule::nodalMatrix Foam::capsule::curveBasis::functions
     const UList<surfaceParameter>& at
 ) const
 {
-    nodalMatrix f(at.size(), n_);
+    // Those of a point beside each other
+    nodalMatrix f(n_, at.size());
     forAll(at, i)
     {
-        f.row(i) = functions(at[i][0]).transpose();
+        setFunctions(at[i][0], 0, f.col(i));
     }
-    return f;
+    return f.transpose();
 }
 
 
@@ -189,18 +206,6 @@ Foam::capsule::surfacePoint Foam::capsule::curveBasis::expand
     result.x = x;
     result.first[0] = x1;
     result.second[0] = x2;
-    return result;
-}
-
-
-Foam::List<Foam::capsule::surfaceParameter>
-Foam::capsule::curveBasis::samples() const
-{
-    List<surfaceParameter> result(4*n_);
-    forAll(result, i)
-    {
-        result[i] = surfaceParameter(i*twoPi/result.size(), 0, 0);
-    }
     return result;
 }
 

@@ -26,6 +26,10 @@ Foam::capsule::sphericalBasis::sphericalBasis
     grid_(fields_, nodeDegree, 2)
 {
     weights_ = grid_.weights();
+    samples_ = sphericalGrid
+    (
+        sphericalHarmonics(0), max(2*degree, nodeDegree), 0
+    ).nodes();
     analysis_ = grid_.analysis();
     for (label i = 0; i < 2; ++i)
     {
@@ -120,16 +124,6 @@ Foam::capsule::surfaceParameter Foam::capsule::sphericalBasis::moved
 }
 
 
-Foam::List<Foam::capsule::surfaceParameter>
-Foam::capsule::sphericalBasis::samples() const
-{
-    return sphericalGrid
-    (
-        sphericalHarmonics(0), max(2*points_.degree(), fields_.degree()), 0
-    ).nodes();
-}
-
-
 Foam::capsule::nodalScalars Foam::capsule::sphericalBasis::pack
 (
     const nodalVectors& v
@@ -173,9 +167,12 @@ Foam::capsule::nodalMatrix Foam::capsule::sphericalBasis::reduced
     const label
 ) const
 {
-    return
-        (analysis_.topRows(nPacked())*filter.synthesis())
-       *(filter.analysis()*grid_.values().leftCols(nPacked()));
+    // The filter gives back each harmonic times its factor
+    const label n = nPacked();
+    const nodalScalars factors =
+        filter.analysis().topRows(n)
+       .cwiseProduct(grid_.values().leftCols(n).transpose()).rowwise().sum();
+    return nodalMatrix(factors.asDiagonal());
 }
 
 
@@ -185,8 +182,18 @@ Foam::capsule::nodalMatrix Foam::capsule::sphericalBasis::multiplied
     const nodalMatrix& rows
 ) const
 {
-    const nodalMatrix nodal = grid_.values().leftCols(nPacked())*rows;
-    return analysis_.topRows(nPacked())*(factor.asDiagonal()*nodal);
+    const label n = nPacked();
+    if (rows.cols() < n)
+    {
+        const nodalMatrix nodal = grid_.values().leftCols(n)*rows;
+        return analysis_.topRows(n)*(factor.asDiagonal()*nodal);
+    }
+
+    // Fewer products by way of the factor's own matrix
+    const nodalMatrix scaledValues =
+        factor.asDiagonal()*grid_.values().leftCols(n);
+    const nodalMatrix ofFactor = analysis_.topRows(n)*scaledValues;
+    return ofFactor*rows;
 }
 
 

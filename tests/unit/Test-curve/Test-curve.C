@@ -19,6 +19,7 @@ Description
 #include "bendingModel.H"
 #include "freeSpaceResponse.H"
 #include "membraneMotion.H"
+#include "sampleSearch.H"
 #include "mathematicalConstants.H"
 #include "IOstreams.H"
 #include "IStringStream.H"
@@ -107,12 +108,43 @@ int main()
         const vector2 n = turned(vector2(foot.first[0])).normalized();
         for (const scalar d : {-0.3, 0.2, 1.0})
         {
-            const surfaceParameter guess(alpha + 0.2, 0, 0);
+            surfaceParameter at(alpha + 0.2, 0, 0);
+            const surfacePoint found = curve.foot(foot.x + d*n, at);
+            check("foot point", at[0] - alpha, 1e-9);
+            check("its position", (found.x - foot.x).norm(), 1e-12);
             check
             (
-                "foot point", curve.nearest(foot.x + d*n, guess)[0] - alpha, 1e-9
+                "derivative there", (found.first[0] - foot.first[0]).norm(),
+                1e-9
             );
         }
+    }
+
+    // The nearest of some points: against looking at all, for points inside and
+    // outside, near and far; the same with a bound just above and just below
+    {
+        const nodalVectors samples = curve.sampled();
+        const sampleSearch search(samples);
+        label wrong = 0;
+        for (label i = 0; i < 400; ++i)
+        {
+            const scalar turn = 0.1 + 2.4*i;
+            const scalar away = 0.01*i;
+            const solvedVector x =
+                vector2(3 + away*std::cos(turn), away*std::sin(turn));
+            const nodalScalars squares =
+                (samples.rowwise() - x).rowwise().squaredNorm();
+            const scalar least = squares.minCoeff();
+            scalar above = least*(1 + 1e-9);
+            scalar below = least*(1 - 1e-9);
+            const label found = search.nearest(x);
+            wrong +=
+                squares(found) != least
+             || search.nearest(x, above) == -1
+             || mag(above - least) > 1e-12*least
+             || search.nearest(x, below) != -1;
+        }
+        check("points whose nearest sample is not found", wrong, 0);
     }
 
     // Constant tension on a circle: F = -T/R n
