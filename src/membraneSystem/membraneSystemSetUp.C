@@ -29,6 +29,33 @@ static Foam::string titled(const Foam::capsule::immersedBody& part)
     return title;
 }
 
+//- Warn of a membrane that does not keep its area as its law promises
+static void warnOfStrain
+(
+    const Foam::capsule::membrane& m,
+    const Foam::capsule::closedSurface& surface
+)
+{
+    using namespace Foam;
+
+    const scalar permitted = m.largestStrain();
+    if (permitted > 1)
+    {
+        return;
+    }
+    const capsule::membraneMechanics::principalValues p = m.principal(surface);
+    const scalar strain = (p.l1.array()*p.l2.array() - 1).abs().maxCoeff();
+    if (strain > permitted)
+    {
+        WarningInFunction
+            << "Membrane " << m.name() << " has changed its area locally by "
+            << strain << ", in the plane its length, more than the "
+            << permitted << " of its elastic law's entry largestStrain: an"
+            << " areaModulus " << strain/permitted << " times as large keeps it"
+            << endl;
+    }
+}
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -123,6 +150,10 @@ void Foam::capsule::membraneSystem::warnOfResolution() const
                 << placedShape::widestSpacing
                 << ": it is not resolved there; see its entry "
                 << (directions_.spatial() ? "degree" : "points") << endl;
+        }
+        if (i < nMembranes_)
+        {
+            warnOfStrain((*this)[i], surface);
         }
         warnOfMomentumLayer(parts_[i]);
     }
