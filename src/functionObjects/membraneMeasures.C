@@ -50,6 +50,20 @@ static void writeRange(const capsule::nodalScalars& field, Ostream& os)
     os  << tab << field.minCoeff() << tab << field.maxCoeff();
 }
 
+
+// Distance from walls, if there are any
+static void writeGap(const scalar gap, Ostream& os)
+{
+    if (gap < GREAT)
+    {
+        os  << tab << gap;
+    }
+    else
+    {
+        os  << tab << "nan";
+    }
+}
+
 } // End namespace functionObjects
 } // End namespace Foam
 
@@ -94,7 +108,7 @@ Foam::functionObjects::membraneMeasures::columns() const
         "x", "y", "U", "V", "area", "perimeter",
         "lengthX", "lengthY", "minStretch", "maxStretch",
         "taylorDeformation", "elasticEnergy", "power",
-        "inclination"
+        "inclination", "gap"
     };
 }
 
@@ -130,7 +144,8 @@ void Foam::functionObjects::membraneMeasures::writeMeasures
         {
             writeRange(*field, os);
         }
-        os  << tab << gap << tab << surface.taylorDeformation()
+        writeGap(gap, os);
+        os  << tab << surface.taylorDeformation()
             << tab << (m.hasEnergy() ? m.elasticEnergy(surface) : 0)
             << tab << power << endl;
         return;
@@ -142,7 +157,9 @@ void Foam::functionObjects::membraneMeasures::writeMeasures
     os  << tab << surface.taylorDeformation()
         << tab << m.elasticEnergy(surface)
         << tab << power
-        << tab << radToDeg(surface.inclination()) << endl;
+        << tab << radToDeg(surface.inclination());
+    writeGap(gap, os);
+    os  << endl;
 }
 
 
@@ -175,7 +192,8 @@ void Foam::functionObjects::membraneMeasures::writeSpatial
     {
         writeRange(*field, os);
     }
-    os  << tab << gap << tab << surface.taylorDeformation()
+    writeGap(gap, os);
+    os  << tab << surface.taylorDeformation()
         << tab << (m.hasEnergy() ? m.elasticEnergy(surface) : 0)
         << tab << m.bendingEnergy(surface)
         << tab << surface.integral(m.power(surface))
@@ -276,15 +294,12 @@ bool Foam::functionObjects::membraneMeasures::write()
 
     // Walls of all processors
     scalarList gaps(system.nMembranes(), Zero);
-    if (system.directions().axisymmetric() || system.directions().spatial())
+    forAll(gaps, i)
     {
-        forAll(gaps, i)
-        {
-            gaps[i] = capsule::meshBoundary::New(mesh_).toWalls
-            (
-                system[i].surface().sampled()
-            );
-        }
+        gaps[i] = capsule::meshBoundary::New(mesh_).toWalls
+        (
+            system[i].surface().sampled()
+        );
     }
 
     if (!Pstream::master())

@@ -56,6 +56,13 @@ Foam::capsule::solvedVector Foam::capsule::meshBoundary::middle
 }
 
 
+Foam::scalar Foam::capsule::meshBoundary::leastRoot(const scalar square)
+{
+    const scalar least = returnReduce(square, minOp<scalar>());
+    return least < GREAT ? Foam::sqrt(least) : GREAT;
+}
+
+
 Foam::word Foam::capsule::meshBoundary::patchName(const label patchi) const
 {
     const label found = returnReduce(patchi, maxOp<label>());

@@ -184,28 +184,43 @@ Foam::scalar Foam::capsule::planarBoundary::toWalls
 {
     const label n = polygon.rows();
     const vector2 centre = middle(polygon);
+    scalar radius = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        radius = max(radius, (vector2(polygon.row(i)) - centre).norm());
+    }
+
     scalar least = GREAT;
     for (const side& s : walls_)
     {
-        if (isA<wallPolyPatch>(mesh_.boundaryMesh()[s.patch]))
+        if (!isA<wallPolyPatch>(mesh_.boundaryMesh()[s.patch]))
         {
-            const vector2 c = 0.5*(s.a + s.b);
-            const vector2 shift = directions_.images().image(c, centre) - c;
-            for (label i = 0; i < n; ++i)
-            {
-                least = min
+            continue;
+        }
+        const vector2 c = 0.5*(s.a + s.b);
+        const vector2 shift = directions_.images().image(c, centre) - c;
+
+        // Closer than the circle around the polygon it cannot be
+        const scalar toCircle =
+            (c + shift - centre).norm() - 0.5*(s.b - s.a).norm() - radius;
+        if (toCircle > 0 && sqr(toCircle) > least)
+        {
+            continue;
+        }
+        for (label i = 0; i < n; ++i)
+        {
+            least = min
+            (
+                least,
+                squaredDistance
                 (
-                    least,
-                    squaredDistance
-                    (
-                        polygon.row(i), polygon.row((i + 1) % n),
-                        s.a + shift, s.b + shift
-                    )
-                );
-            }
+                    polygon.row(i), polygon.row((i + 1) % n),
+                    s.a + shift, s.b + shift
+                )
+            );
         }
     }
-    return Foam::sqrt(returnReduce(least, minOp<scalar>()));
+    return leastRoot(least);
 }
 
 

@@ -191,7 +191,7 @@ Foam::scalar Foam::capsule::spatialBoundary::toWalls
             least = squaredDistance(face, x, *tree, least);
         }
     }
-    return Foam::sqrt(returnReduce(least, minOp<scalar>()));
+    return leastRoot(least);
 }
 
 
