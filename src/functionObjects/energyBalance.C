@@ -126,7 +126,7 @@ void Foam::functionObjects::energyBalance::takeWrittenBoundaries()
 
 void Foam::functionObjects::energyBalance::writeRow
 (
-    const FixedList<scalar, 6>& row,
+    const FixedList<scalar, 7>& row,
     const bool known
 )
 {
@@ -149,6 +149,30 @@ void Foam::functionObjects::energyBalance::writeRow
         }
     }
     file() << endl;
+}
+
+
+Foam::scalar Foam::functionObjects::energyBalance::contactPower
+(
+    const capsule::membraneSystem& system
+)
+{
+    scalar power = 0;
+    if (system.hasContact())
+    {
+        const List<capsule::nodalVectors> forces(system.contactForces());
+        for (label i = 0; i < system.nMembranes(); ++i)
+        {
+            power += system[i].surface().integral
+            (
+                capsule::nodalScalars
+                (
+                    capsule::dot(forces[i], system[i].now().velocity)
+                )
+            );
+        }
+    }
+    return power;
 }
 
 
@@ -191,7 +215,7 @@ Foam::functionObjects::energyBalance::energyBalance
         const char* column :
         {
             "dissipation", "kineticEnergyRate", "boundaries", "membranes",
-            "drivingForce", "imbalance"
+            "drivingForce", "imbalance", "contact"
         }
     )
     {
@@ -277,15 +301,21 @@ bool Foam::functionObjects::energyBalance::write()
         gross += surface.integral(power.cwiseAbs());
     }
 
+    const scalar contact = contactPower(system);
+
     const scalar stress = boundary.first()/sector;
     const scalar imbalance =
-        stress + membranes + driving - dissipation - kinetic;
+        stress + membranes + contact + driving - dissipation - kinetic;
     const scalar fed =
-        max(stress, 0) + max(membranes, 0) + max(driving, 0) + max(-kinetic, 0);
+        max(stress, 0) + max(membranes, 0) + max(contact, 0) + max(driving, 0)
+      + max(-kinetic, 0);
 
     writeRow
     (
-        {dissipation, kinetic, stress, membranes, driving, imbalance}, known
+        {
+            dissipation, kinetic, stress, membranes, driving, imbalance, contact
+        },
+        known
     );
     if (!known)
     {

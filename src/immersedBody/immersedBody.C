@@ -112,6 +112,48 @@ Foam::scalar Foam::capsule::immersedBody::offset() const
 }
 
 
+Foam::capsule::nodalVectors Foam::capsule::immersedBody::pointsOf
+(
+    const nodalScalars&
+) const
+{
+    NotImplemented;
+    return nodalVectors();
+}
+
+
+Foam::capsule::nodalMatrix Foam::capsule::immersedBody::pointsChange
+(
+    const nodalMatrix&
+) const
+{
+    NotImplemented;
+    return nodalMatrix();
+}
+
+
+Foam::capsule::nodalMatrix Foam::capsule::immersedBody::loaded
+(
+    const nodalMatrix&
+) const
+{
+    NotImplemented;
+    return nodalMatrix();
+}
+
+
+Foam::capsule::immersedBody::imbalance
+Foam::capsule::immersedBody::remaining
+(
+    const nodalScalars&,
+    const nodalScalars&
+) const
+{
+    NotImplemented;
+    return imbalance{0, 0};
+}
+
+
 void Foam::capsule::immersedBody::write() const
 {
     history().write(mesh_.time());

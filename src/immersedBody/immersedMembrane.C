@@ -132,6 +132,7 @@ Foam::capsule::immersedMembrane::immersedMembrane
     immersedBody(dict, directions, mesh, density, viscosity),
     forceNoise_(0),
     implicit_(true),
+    noise_(0),
     membrane_(name, dict, directions, mesh),
     ratio_(membrane_.viscosity()/viscosity)
 {
@@ -253,22 +254,34 @@ Foam::capsule::immersedMembrane::correct
     fluidResponse_.resize(2*n + other.size());
     fluidResponse_ << basis().pack(fluid), basis().pack(rest), other;
 
+    const scalar shear = (1 + ratio_)*mu_*rms(now.velocity)/levelSet().width();
+    noise_ = 10*forceNoise_ + 100*SMALL*(rms(now.force) + rms(contrast) + shear);
+
     const nodalScalars left = residual(fluidResponse_);
-    const nodalVectors F = basis().unpack(left.head(n)) - rest;
+    return remaining(left, correction(left));
+}
+
+
+Foam::capsule::immersedMembrane::imbalance
+Foam::capsule::immersedMembrane::remaining
+(
+    const nodalScalars& residual,
+    const nodalScalars& change
+) const
+{
+    const label n = nForce();
+    const nodalScalars rest = fluidResponse_.segment(n, n);
+    const nodalVectors F = basis().unpack(residual.head(n) - rest);
     const scalar size =
         rms(F)
-      + 0.5*(1 + ratio_)*mu_*rms(surface().gradients(now.velocity)) + VSMALL;
-    const nodalScalars change = correction(left);
-
-    const scalar shear = (1 + ratio_)*mu_*rms(now.velocity)/levelSet().width();
-    const scalar noise =
-        10*forceNoise_ + 100*SMALL*(rms(now.force) + rms(contrast) + shear);
+      + 0.5*(1 + ratio_)*mu_*rms(surface().gradients(history().now().velocity))
+      + VSMALL;
 
     imbalance result;
     const scalar rmsChange =
         change.norm()
        /Foam::sqrt(change.size()/scalar(basis().nComponents()));
-    result.stress = max(rmsChange - noise, scalar(0))/size;
+    result.stress = max(rmsChange - noise_, scalar(0))/size;
     result.displacement = cells(mobility_*change.head(n));
     return result;
 }

@@ -139,3 +139,32 @@ Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::responseChange
     result << mobility_*df, -(fluidJacobian_*df), other;
     return result;
 }
+
+
+Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::pointsOf
+(
+    const nodalScalars& y
+) const
+{
+    return motion_->points(motion_->velocity(basis().unpack(y.head(nForce()))));
+}
+
+
+Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::pointsChange
+(
+    const nodalMatrix& dy
+) const
+{
+    return motion_->displacements(dy.topRows(nForce()));
+}
+
+
+Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::loaded
+(
+    const nodalMatrix& forces
+) const
+{
+    nodalMatrix result = nodalMatrix::Zero(nUnknowns(), forces.cols());
+    result.topRows(nForce()) = forces;
+    return result;
+}

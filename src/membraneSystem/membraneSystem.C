@@ -38,6 +38,25 @@ void Foam::capsule::membraneSystem::predict()
         return;
     }
 
+    if (contact_.valid())
+    {
+        const Time& time = mesh_.time();
+        PtrList<closedSurface> surfaces(parts_.size());
+        forAll(parts_, i)
+        {
+            surfaces.set
+            (
+                i,
+                new closedSurface
+                (
+                    parts_[i].basis(),
+                    parts_[i].predicted(time.deltaTValue(), time.deltaT0Value())
+                )
+            );
+        }
+        contactResidual_->find(surfaces);
+    }
+
     // What cannot be placed is an error on all processors alike
     const bool throwing = FatalError.throwExceptions();
     try
@@ -65,6 +84,13 @@ void Foam::capsule::membraneSystem::predict()
     setViscosity();
     setFreshCells();
 
+    if (contact_.valid())
+    {
+        contactResidual_->start
+        (
+            method_->implicitStress(), method_->usesResponse()
+        );
+    }
     method_->start();
 }
 
@@ -127,6 +153,12 @@ void Foam::capsule::membraneSystem::correct(const bool solved)
         displacement = max(displacement, found.displacement);
         offset = max(offset, m.offset());
     }
+    if (contact_.valid() && contactResidual_->active())
+    {
+        const immersedBody::imbalance left = contactResidual_->remaining();
+        stress = left.stress;
+        displacement = left.displacement;
+    }
     Info<< "Membranes: iteration " << iter_ << ", imbalance of stress "
         << stress << ", displacement " << displacement << " cell widths"
         << endl;
@@ -152,11 +184,22 @@ void Foam::capsule::membraneSystem::correct(const bool solved)
 
     if (!converged_ && iter_ < maxIter_)
     {
-        residual_->setUnknowns
-        (
-            method_->next(residual_->unknowns(), *residual_)
-        );
+        combinedResidual& residual =
+            contact_.valid() ? *contactResidual_ : *residual_;
+        residual.setUnknowns(method_->next(residual.unknowns(), residual));
     }
+}
+
+
+Foam::List<Foam::capsule::nodalVectors>
+Foam::capsule::membraneSystem::contactForces() const
+{
+    PtrList<closedSurface> surfaces(parts_.size());
+    forAll(parts_, i)
+    {
+        surfaces.set(i, new closedSurface(parts_[i].presentSurface()));
+    }
+    return contact_->forces(surfaces);
 }
 
 

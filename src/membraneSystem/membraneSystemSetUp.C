@@ -255,6 +255,30 @@ void Foam::capsule::membraneSystem::nest()
 }
 
 
+void Foam::capsule::membraneSystem::setResidual()
+{
+    UPtrList<interfaceResidual> residuals(size());
+    UPtrList<immersedBody> bodies(size());
+    forAll(parts_, i)
+    {
+        residuals.set(i, &parts_[i]);
+        bodies.set(i, &parts_[i]);
+    }
+    contact_ = contact::New(*this, mesh_, directions_);
+    if (contact_.valid())
+    {
+        contactResidual_.reset
+        (
+            new contactResidual(*contact_, residuals, bodies)
+        );
+    }
+    else
+    {
+        residual_.reset(new combinedResidual(residuals));
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::membraneSystem::fields::fields(const fvMesh& mesh)
@@ -362,12 +386,7 @@ Foam::capsule::membraneSystem::membraneSystem
         nest();
         fields_.reset(new fields(mesh_));
 
-        UPtrList<interfaceResidual> residuals(size());
-        forAll(parts_, i)
-        {
-            residuals.set(i, &parts_[i]);
-        }
-        residual_.reset(new combinedResidual(residuals));
+        setResidual();
     }
     bool scaled = false;
     for (immersedBody& m : parts_)

@@ -137,3 +137,50 @@ Foam::label Foam::capsule::meshBoundary::firstOutside
     }
     return outside.find_first();
 }
+
+
+Foam::labelList Foam::capsule::meshBoundary::nearestOnWalls
+(
+    const nodalVectors& points,
+    const scalar reach,
+    nodalVectors& feet
+) const
+{
+    const label n = points.rows();
+    nodalScalars square = nodalScalars::Constant(n, sqr(reach));
+    nodalVectors here = nodalVectors::Zero(n, points.cols());
+    nearestHere(points, square, here);
+
+    // The same on all processors
+    List<scalarList> found(Pstream::nProcs());
+    nodalMatrix mine(n, 1 + points.cols());
+    mine << square, here;
+    found[Pstream::myProcNo()] =
+        scalarList(SubList<scalar>(UList<scalar>(mine.data(), mine.size())));
+    allGatherList(found);
+
+    DynamicList<label> nodes;
+    for (label i = 0; i < n; ++i)
+    {
+        scalar least = sqr(reach);
+        for (const scalarList& theirs : found)
+        {
+            if (theirs[i] < least)
+            {
+                least = theirs[i];
+                for (label j = 0; j < points.cols(); ++j)
+                {
+                    feet(nodes.size(), j) = theirs[(1 + j)*n + i];
+                }
+            }
+        }
+        if (least < sqr(reach))
+        {
+            nodes.append(i);
+        }
+    }
+    return labelList(nodes);
+}
+
+
+// ************************************************************************* //

@@ -86,6 +86,47 @@ bool Foam::capsule::planarBoundary::encloses(const solvedVector& x) const
 }
 
 
+void Foam::capsule::planarBoundary::nearestHere
+(
+    const nodalVectors& points,
+    nodalScalars& square,
+    nodalVectors& feet
+) const
+{
+    const vector2 centre = middle(points);
+    const vector2 half =
+        0.5*(points.colwise().maxCoeff() - points.colwise().minCoeff());
+    const scalar reach = Foam::sqrt(square.maxCoeff());
+    for (const side& s : walls_)
+    {
+        if (!isA<wallPolyPatch>(mesh_.boundaryMesh()[s.patch]))
+        {
+            continue;
+        }
+        const vector2 c = 0.5*(s.a + s.b);
+        const vector2 shift = directions_.images().image(c, centre) - c;
+        const vector2 a = s.a + shift;
+        const vector2 b = s.b + shift;
+        const vector2 beside = (c + shift - centre).cwiseAbs() - half;
+        if (beside.maxCoeff() > reach + 0.5*(b - a).norm())
+        {
+            continue;
+        }
+        for (label i = 0; i < points.rows(); ++i)
+        {
+            const vector2 x = points.row(i);
+            const vector2 foot = a + nearestPart(x, a, b)*(b - a);
+            const scalar found = (x - foot).squaredNorm();
+            if (found < square(i))
+            {
+                square(i) = found;
+                feet.row(i) = foot;
+            }
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::planarBoundary::planarBoundary(const fvMesh& mesh)

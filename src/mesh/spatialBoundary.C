@@ -19,6 +19,45 @@ bool Foam::capsule::spatialBoundary::encloses(const solvedVector& x) const
 }
 
 
+void Foam::capsule::spatialBoundary::nearestHere
+(
+    const nodalVectors& points,
+    nodalScalars& square,
+    nodalVectors& feet
+) const
+{
+    const pointField x(directions_.toPoints(points));
+    const scalar reach = Foam::sqrt(square.maxCoeff());
+    const autoPtr<pointTree> tree(treeOf(x, boundBox(x, false)));
+    for (const image& wall : near(x, reach))
+    {
+        if (!isA<wallPolyPatch>(mesh_.boundaryMesh()[patch(wall)]))
+        {
+            continue;
+        }
+        const face& f = mesh_.faces()[walls_[wall.wall]];
+        const labelList found
+        (
+            tree->findSphere
+            (
+                centres_[wall.wall] + wall.move,
+                sqr(reach + radii_[wall.wall])
+            )
+        );
+        for (const label i : found)
+        {
+            const pointHit hit =
+                f.nearestPoint(x[i] - wall.move, mesh_.points());
+            if (sqr(hit.distance()) < square(i))
+            {
+                square(i) = sqr(hit.distance());
+                feet.row(i) = directions_(hit.rawPoint() + wall.move);
+            }
+        }
+    }
+}
+
+
 Foam::autoPtr<Foam::capsule::spatialBoundary::pointTree>
 Foam::capsule::spatialBoundary::treeOf
 (
