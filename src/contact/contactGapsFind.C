@@ -149,13 +149,14 @@ void Foam::capsule::contactGaps::findOther
     {
         const solvedVector x = surface.nodes().row(i);
         Eigen::Index nearest;
-        if ((samples.rowwise() - x).rowwise().squaredNorm().minCoeff(&nearest) > near)
+        const scalar square =
+            (samples.rowwise() - x).rowwise().squaredNorm().minCoeff(&nearest);
+        if (square > near)
         {
             continue;
         }
-        const surfaceParameter at =
-            facing.nearest(x - shift, parameters[nearest]);
-        const solvedVector foot = facing.expand(at).x + shift;
+        surfaceParameter at = parameters[nearest];
+        const solvedVector foot = facing.foot(x - shift, at).x + shift;
         if ((x - foot).norm() < reach)
         {
             feet.row(nodes.size()) = foot;
