@@ -119,10 +119,11 @@ Foam::List<Foam::capsule::nodalVectors> Foam::capsule::contact::forces
     {
         const surfaceBasis& basis = surfaces[i].basis();
         const label n = basis.nComponents()*basis.nPacked();
-        const nodalScalars work = found.derivatives(i, n)*acting;
-        result[i] = basis.unpack
+        result[i] = contactGaps::perArea
         (
-            contactGaps::perArea(basis, surfaces[i].areaElement(), work)
+            basis,
+            surfaces[i].areaElement(),
+            found.derivatives(i, n)*acting
         );
     }
     return result;

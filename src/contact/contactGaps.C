@@ -77,36 +77,24 @@ Foam::capsule::nodalMatrix Foam::capsule::contactGaps::derivatives
 }
 
 
-Foam::capsule::nodalMatrix Foam::capsule::contactGaps::perArea
+Foam::capsule::nodalVectors Foam::capsule::contactGaps::perArea
 (
     const surfaceBasis& basis,
     const nodalScalars& areaElement,
-    const nodalMatrix& work
+    const nodalScalars& work
 )
 {
-    nodalMatrix result(work.rows(), work.cols());
     if (basis.axisymmetric())
     {
         // Each node that counts has the ring of both halves of the meridian
         const label n = basis.nCounted();
         const nodalScalars ring =
             2*basis.weights().head(n).cwiseProduct(areaElement.head(n));
-        for (label i = 0; i < basis.nComponents(); ++i)
-        {
-            result.middleRows(i*n, n) =
-                ring.cwiseInverse().asDiagonal()*work.middleRows(i*n, n);
-        }
-        return result;
+        return basis.unpack(work.cwiseQuotient(ring.replicate(2, 1)));
     }
+    const scalar perUnknown = basis.nPacked()/basis.weights().sum();
 
-    const nodalScalars perElement =
-        areaElement.cwiseInverse()*(basis.nPacked()/basis.weights().sum());
-    for (label j = 0; j < work.cols(); ++j)
-    {
-        result.col(j) =
-            basis.pack(scaled(perElement, basis.unpack(work.col(j))));
-    }
-    return result;
+    return scaled(perUnknown*areaElement.cwiseInverse(), basis.unpack(work));
 }
 
 

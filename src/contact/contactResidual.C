@@ -158,12 +158,15 @@ void Foam::capsule::contactResidual::start
     {
         const immersedBody& body = bodies_[i];
         const label n = body.basis().nComponents()*body.basis().nPacked();
-        const nodalMatrix forces = contactGaps::perArea
-        (
-            body.basis(),
-            body.levelSet().surface().areaElement(),
-            gaps_.derivatives(i, n)
-        );
+        const nodalScalars area = body.levelSet().surface().areaElement();
+        nodalMatrix forces = gaps_.derivatives(i, n);
+        for (label j = 0; j < forces.cols(); ++j)
+        {
+            forces.col(j) = body.basis().pack
+            (
+                contactGaps::perArea(body.basis(), area, forces.col(j))
+            );
+        }
         load_.middleRows(start, body.nUnknowns()) = body.loaded(forces);
         start += body.nUnknowns();
     }
