@@ -33,6 +33,28 @@ Foam::capsule::sharpMembrane::unresolvedForce() const
 }
 
 
+void Foam::capsule::sharpMembrane::setLiquids()
+{
+    setSurroundings();
+    liquids_.density = rho_;
+    liquids_.viscosity = mu_;
+    liquids_.ratio = ratio_;
+}
+
+
+void Foam::capsule::sharpMembrane::setScale()
+{
+    if (liquids_.contrast())
+    {
+        const scalar inertia = rho_*flowScheme().c*sqr(levelSet().width());
+        liquids_.scaling = momentumScaling
+        (
+            ratio_, inertia > 0 ? mu_/inertia : GREAT
+        );
+    }
+}
+
+
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::velocity
@@ -41,11 +63,66 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::velocity
     const volScalarField& p
 )
 {
-    fluid_ = fit()(U, ratio_ != 1 ? &p : nullptr);
+    fluid_ = fit()(U, liquids_.contrast() ? &p : nullptr);
 
     return
         fluid_.value.leftCols(basis().nComponents())
       + basis().unpack(mobility()*unresolvedForce());
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastTraction
+(
+    const solvedVector& driving
+)
+{
+    if (!liquids_.contrast())
+    {
+        return immersedMembrane::contrastTraction(driving);
+    }
+    return contrast_.force
+    (
+        fluid_,
+        resolvedForce(),
+        unresolvedForce(),
+        (surface().nodes().rowwise() - pressureOrigin())*driving.transpose(),
+        inertia_.momentumRate(flowScheme()),
+        membrane_.now()
+    );
+}
+
+
+Foam::capsule::nodalScalars
+Foam::capsule::sharpMembrane::inertiaResidual() const
+{
+    return
+        inertia_.unknown()
+      ? inertia_.residual(flowScheme(), excess())
+      : nodalScalars(0);
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::inertiaCorrection
+(
+    const nodalScalars& df,
+    const nodalScalars& residual
+) const
+{
+    return inertia_.correction(df, residual);
+}
+
+
+Foam::capsule::nodalScalars
+Foam::capsule::sharpMembrane::inertiaResidualChange
+(
+    const nodalScalars& dx
+) const
+{
+    const label n = nForce();
+    return
+        inertia_.unknown()
+      ? inertia_.residualChange(dx.head(n), dx.tail(n))
+      : nodalScalars(0);
 }
 
 
@@ -62,8 +139,8 @@ Foam::capsule::sharpMembrane::sharpMembrane
 )
 :
     immersedMembrane(name, dict, directions, mesh, density, viscosity),
-    scaling_(ratio_),
     U_(nullptr),
+    liquids_(ratio_),
     interface_
     (
         membrane_.history(),
@@ -71,7 +148,9 @@ Foam::capsule::sharpMembrane::sharpMembrane
         directions,
         mesh,
         ratio_ < 1 ? 1 : -1
-    )
+    ),
+    contrast_(interface_, liquids_),
+    inertia_(membrane_.history(), interface_, liquids_)
 {}
 
 
@@ -80,7 +159,7 @@ Foam::capsule::sharpMembrane::sharpMembrane
 void Foam::capsule::sharpMembrane::setOuter(const immersedBody& outer)
 {
     immersedMembrane::setOuter(outer);
-    scaling_ = momentumScaling(ratio_);
+    liquids_ = liquids(ratio_);
     interface_.setFitSide(ratio_ < 1 ? 1 : -1);
 }
 
@@ -88,16 +167,16 @@ void Foam::capsule::sharpMembrane::setOuter(const immersedBody& outer)
 void Foam::capsule::sharpMembrane::start(const volVectorField& U)
 {
     U_ = &U;
-    setSurroundings();
+    setLiquids();
     interfaceState& now = membrane_.now();
     interface_.start(unsteady(), mu_);
     setScale();
     if (membrane_.nOld() == 0)
     {
-        if (scaling_.inertial())
+        if (inertia_.unknown())
         {
             // No boundary layers yet
-            now.inertia = -viscousForce(now);
+            now.inertia = -inertia_.viscousForce(now);
             interface_.setJumps(now, mu_);
         }
         // No velocity yet but that of the initial field
@@ -108,27 +187,24 @@ void Foam::capsule::sharpMembrane::start(const volVectorField& U)
 
 void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
 {
-    setSurroundings();
+    setLiquids();
     const closedSurface predicted(predictedSurface());
     extrapolateState(interface_.smoothed(predicted));
     interface_.advance(unsteady(), mu_);
     fluid_ = oneSidedFit::fitted();
 
     setScale();
-    if (scaling_.inertial())
-    {
-        oldViscousForce_ = viscousForce(membrane_.old(0));
-    }
+    inertia_.advance();
     setResponse
     (
         predicted,
         method,
-        fluidDerivative(method),
+        contrast_.fluidJacobian(method.usesResponse()),
         freeSpaceResponse::singleLayer(surface(), mu_)
     );
-    if (ratio_ != 1)
+    if (liquids_.contrast())
     {
-        membrane_.now().inertia = inertia();
+        membrane_.now().inertia = inertia_.value(flowScheme(), excess());
     }
 }
 
@@ -143,12 +219,12 @@ void Foam::capsule::sharpMembrane::restore()
 Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::unknowns() const
 {
     const nodalScalars f = immersedMembrane::unknowns();
-    if (!scaling_.inertial())
+    if (!inertia_.unknown())
     {
         return f;
     }
     nodalScalars result(2*f.size());
-    result << f, levelSet().width()*basis().pack(membrane_.now().inertia);
+    result << f, inertia_.unknowns(membrane_.now());
     return result;
 }
 
@@ -156,10 +232,9 @@ Foam::capsule::nodalScalars Foam::capsule::sharpMembrane::unknowns() const
 void Foam::capsule::sharpMembrane::setUnknowns(const nodalScalars& x)
 {
     immersedMembrane::setUnknowns(x);
-    if (scaling_.inertial())
+    if (inertia_.unknown())
     {
-        membrane_.now().inertia =
-            basis().unpack(x.tail(nForce())/levelSet().width());
+        inertia_.setUnknowns(x.tail(nForce()), membrane_.now());
     }
 }
 
@@ -186,7 +261,7 @@ void Foam::capsule::sharpMembrane::addSources
         {
             fluid_ = fit()(*U_, nullptr);
         }
-        interface_.setJumps(f, m, pressureLaplacian(), mu_);
+        interface_.setJumps(f, m, inertia_.pressureLaplacian(fluid_), mu_);
         interface_.addConvection
         (
             *flux, rho_/outerScale(), scale, sources.momentum
@@ -198,8 +273,8 @@ void Foam::capsule::sharpMembrane::addSources
     (
         sources,
         mu_,
-        scaling_.viscousScale(),
-        scaling_.inertial() ? nullptr : &resultant
+        liquids_.scaling.viscousScale(),
+        inertia_.unknown() ? nullptr : &resultant
     );
 }
 
