@@ -11,6 +11,7 @@ License
 #include "energyBalance.H"
 #include "kineticEnergyRate.H"
 #include "membraneSystem.H"
+#include "rigidBody.H"
 #include "input.H"
 #include "fvc.H"
 #include "addToRunTimeSelectionTable.H"
@@ -297,6 +298,16 @@ bool Foam::functionObjects::energyBalance::write()
     {
         const capsule::closedSurface surface(system[i].surface());
         const capsule::nodalScalars power = system[i].power(surface);
+        membranes += surface.integral(power);
+        gross += surface.integral(power.cwiseAbs());
+    }
+    for (label i = 0; i < system.nBodies(); ++i)
+    {
+        const capsule::rigidBody& body = system.body(i);
+        const capsule::closedSurface surface(body.stepSurface());
+        const capsule::interfaceState& now = body.history().now();
+        const capsule::nodalScalars power =
+            capsule::dot(now.force, now.velocity);
         membranes += surface.integral(power);
         gross += surface.integral(power.cwiseAbs());
     }

@@ -10,6 +10,7 @@ License
 
 #include "extraPressureDrop.H"
 #include "membraneSystem.H"
+#include "rigidBody.H"
 #include "input.H"
 #include "IOdictionary.H"
 #include "wallPolyPatch.H"
@@ -168,6 +169,22 @@ void Foam::functionObjects::extraPressureDrop::checkAtRest
 }
 
 
+Foam::scalar Foam::functionObjects::extraPressureDrop::equivalentPower
+(
+    const capsule::closedSurface& surface,
+    const capsule::oneSidedFit& fit,
+    const capsule::nodalVectors& force
+) const
+{
+    const capsule::nodalVectors u0 =
+        fit.smooth(*emptyU_, *emptyp_).value.leftCols(surface.nComponents());
+
+    return
+       -membranes().directions().sector()
+       *surface.integral(capsule::dot(force, u0));
+}
+
+
 Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
 {
     const capsule::membraneSystem& system = membranes();
@@ -193,12 +210,7 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
         {
             // The equivalent force says the same; the velocity would have to be
             // known to 1/lambda of it
-            const nodalVectors u0 =
-                system.fit(i).smooth(*emptyU_, *emptyp_).value
-               .leftCols(surface.nComponents());
-            power -=
-                system.directions().sector()
-               *surface.integral(dot(m.now().force, u0));
+            power += equivalentPower(surface, system.fit(i), m.now().force);
             continue;
         }
         const nodalVectors& n = surface.normal();
@@ -225,6 +237,14 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
                *dot(U, traction)
               - dot(F, empty.value.leftCols(surface.nComponents()))
             );
+    }
+    for (label i = 0; i < system.nBodies(); ++i)
+    {
+        const capsule::rigidBody& body = system.body(i);
+        power += equivalentPower
+        (
+            body.stepSurface(), body.fit(), body.history().now().force
+        );
     }
     return power/flux_;
 }

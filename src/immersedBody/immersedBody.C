@@ -92,6 +92,20 @@ Foam::capsule::immersedBody::immersedBody
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::string Foam::capsule::immersedBody::called() const
+{
+    return kind() + " " + name();
+}
+
+
+Foam::string Foam::capsule::immersedBody::titled() const
+{
+    string title(called());
+    title[0] = std::toupper(title[0]);
+    return title;
+}
+
+
 Foam::capsule::solvedVector
 Foam::capsule::immersedBody::pressureOrigin() const
 {

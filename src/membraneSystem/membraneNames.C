@@ -96,32 +96,45 @@ static string wrongName(const fileName& path, const word& in)
 
 void Foam::capsule::membraneNames::check(const IOdictionary& properties)
 {
-    const dictionary& dict = input::subDict(properties, "membranes");
-    const auto refuse = [&](const std::string& name)
+    HashSet<word> names;
+    for (const word& in : wordList({"membranes", "bodies"}))
     {
-        FatalIOErrorInFunction(dict)
-            << "Membrane " << name.c_str() << ": a membrane's name is that"
-            << " of files and of dictionary entries, each once; permitted:"
-            << " letters, digits, _, - and ., with a letter, a digit or _"
-            << " first, and no two the same" << exit(FatalIOError);
-    };
-    for (const entry& e : dict)
-    {
-        if (e.keyword().isPattern() || !isName(e.keyword()))
+        if (in == "bodies" && !properties.found(in))
         {
-            refuse(e.keyword());
+            continue;
         }
-    }
+        const dictionary& dict = input::subDict(properties, in);
+        const auto refuse = [&](const std::string& name)
+        {
+            FatalIOErrorInFunction(dict)
+                << (in == "bodies" ? "Body " : "Membrane ") << name.c_str()
+                << ": the name of a membrane or a body is that of files and of"
+                << " dictionary entries, each once; permitted: letters,"
+                << " digits, _, - and ., with a letter, a digit or _ first, and"
+                << " no two the same" << exit(FatalIOError);
+        };
+        for (const entry& e : dict)
+        {
+            if
+            (
+                e.keyword().isPattern() || !isName(e.keyword())
+             || !names.insert(e.keyword())
+            )
+            {
+                refuse(e.keyword());
+            }
+        }
 
-    string name;
-    if (Pstream::master())
-    {
-        name = wrongName(properties.filePath(), "membranes");
-    }
-    broadcast(name);
-    if (!name.empty())
-    {
-        refuse(name);
+        string name;
+        if (Pstream::master())
+        {
+            name = wrongName(properties.filePath(), in);
+        }
+        broadcast(name);
+        if (!name.empty())
+        {
+            refuse(name);
+        }
     }
 }
 

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneSystem.H"
+#include "rigidBody.H"
 #include "kineticEnergyRate.H"
 #include "profiling.H"
 #include "fileOperation.H"
@@ -19,6 +20,15 @@ const Foam::scalar Foam::capsule::membraneSystem::maxOffset_ = 2;
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+const Foam::capsule::rigidBody& Foam::capsule::membraneSystem::body
+(
+    const label i
+) const
+{
+    return refCast<const rigidBody>(parts_[nMembranes_ + i]);
+}
+
 
 void Foam::capsule::membraneSystem::predict()
 {
@@ -71,7 +81,7 @@ void Foam::capsule::membraneSystem::predict()
     catch (const Foam::error& wrong)
     {
         failure_ =
-            parts_[nMoved_ - 1].kind() + " " + parts_[nMoved_ - 1].name()
+            parts_[nMoved_ - 1].called()
           + " cannot be placed: " + wrong.message();
     }
     FatalError.throwExceptions(throwing);

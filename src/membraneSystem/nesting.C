@@ -63,14 +63,17 @@ bool Foam::capsule::nesting::inside(const label i, const label j) const
 }
 
 
-Foam::labelList Foam::capsule::nesting::sort()
+Foam::labelList Foam::capsule::nesting::sort(const label n)
 {
     labelList order(identity(outer_.size()));
     std::stable_sort
     (
         order.begin(),
         order.end(),
-        [&](const label i, const label j) { return depth(i) < depth(j); }
+        [&](const label i, const label j)
+        {
+            return (i < n) != (j < n) ? i < n : depth(i) < depth(j);
+        }
     );
 
     labelList newPlace(order.size());

@@ -1,0 +1,156 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "bodyForces.H"
+#include "membraneSystem.H"
+#include "rigidBody.H"
+#include "input.H"
+#include "releases.H"
+#include "unitConversion.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(bodyForces, 0);
+    addToRunTimeSelectionTable(functionObject, bodyForces, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+const Foam::capsule::membraneSystem&
+Foam::functionObjects::bodyForces::membranes() const
+{
+    return mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
+}
+
+
+Foam::List<const char*> Foam::functionObjects::bodyForces::columns() const
+{
+    if (membranes().directions().axisymmetric())
+    {
+        return {"x", "U", "forceX"};
+    }
+    if (membranes().directions().spatial())
+    {
+        return
+        {
+            "x", "y", "z", "angleX", "angleY", "angleZ", "U", "V", "W",
+            "angularVelocityX", "angularVelocityY", "angularVelocityZ",
+            "forceX", "forceY", "forceZ", "torqueX", "torqueY", "torqueZ"
+        };
+    }
+    return
+    {
+        "x", "y", "angle", "U", "V", "angularVelocity", "forceX", "forceY",
+        "torque"
+    };
+}
+
+
+void Foam::functionObjects::bodyForces::writeRow
+(
+    const capsule::rigidBody& body,
+    Ostream& os
+) const
+{
+    const capsule::rigidShape& shape = body.shape();
+    const capsule::rigidShape::place place = body.place();
+    const capsule::nodalScalars angle =
+        shape.rotation(shape.start(), place)*radToDeg(1.0);
+    const auto writeAll = [&](const capsule::nodalScalars& values)
+    {
+        for (label i = 0; i < values.size(); ++i)
+        {
+            os  << tab << values(i);
+        }
+    };
+
+    os  << mesh_.time().timeOutputValue();
+    writeAll(place.centre.head(shape.nTranslations()).transpose());
+    writeAll(angle);
+    writeAll(body.velocity());
+    writeAll(body.fluidForce());
+    os  << endl;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::bodyForces::bodyForces
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    writeFile(mesh_, name)
+{
+    read(dict);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::bodyForces::read(const dictionary& dict)
+{
+    capsule::input::warnOfOthers
+    (
+        dict, capsule::input::functionObjectEntries()
+    );
+    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
+}
+
+
+bool Foam::functionObjects::bodyForces::execute()
+{
+    return true;
+}
+
+
+bool Foam::functionObjects::bodyForces::write()
+{
+    if (!Pstream::master())
+    {
+        return true;
+    }
+
+    const capsule::membraneSystem& system = membranes();
+    if (files_.empty())
+    {
+        files_.setSize(system.nBodies());
+        forAll(files_, i)
+        {
+            files_.set(i, newFileAtStartTime(system.body(i).name()));
+            files_[i].precision(12);
+            writeHeader(files_[i], "Body " + system.body(i).name());
+            writeCommented(files_[i], "Time");
+            for (const char* column : columns())
+            {
+                writeTabbed(files_[i], column);
+            }
+            files_[i] << endl;
+        }
+    }
+    forAll(files_, i)
+    {
+        writeRow(system.body(i), files_[i]);
+    }
+    return true;
+}
+
+
+// ************************************************************************* //

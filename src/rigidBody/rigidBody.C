@@ -1,0 +1,296 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "rigidBody.H"
+#include "placedShape.H"
+#include "profiling.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+    defineTypeNameAndDebug(rigidBody, 0);
+
+    //- Root mean square over the nodes
+    static scalar rms(const nodalMatrix& v)
+    {
+        return v.norm()/Foam::sqrt(scalar(v.rows()));
+    }
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::capsule::timeScheme Foam::capsule::rigidBody::motionScheme() const
+{
+    return timeScheme(mesh_, "ddt(membranes)", history_.nOld());
+}
+
+
+Foam::capsule::rigidShape::place Foam::capsule::rigidBody::moved
+(
+    const nodalScalars& V
+) const
+{
+    const timeScheme scheme = motionScheme();
+    const label n = shape_->nTranslations();
+    const rigidShape::place from = shape_->placeOf(history_.old(0).x);
+
+    solvedVector displacement(solvedVector::Zero(basis_->nComponents()));
+    displacement.head(n) = V.head(n).transpose();
+    nodalScalars rotation = V.tail(shape_->nRotations());
+    if (scheme.c00 != 0)
+    {
+        const rigidShape::place older =
+            shape_->placeOf(history_.old(1).x);
+        displacement += scheme.c00*(from.centre - older.centre);
+        rotation += scheme.c00*shape_->rotation(older, from);
+    }
+    return rigidShape::moved(from, displacement/scheme.c, rotation/scheme.c);
+}
+
+
+Foam::capsule::nodalScalars
+Foam::capsule::rigidBody::pressureLaplacian(const nodalVectors& f) const
+{
+    const nodalVectors b = -surface().tangential(f)/mu_;
+
+    return
+        -2*rho_*dot
+        (
+            surface().along(b, history_.now().velocity), surface().normal()
+        );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::rigidBody::rigidBody
+(
+    const word& name,
+    const dictionary& dict,
+    const solvedDirections& directions,
+    const fvMesh& mesh,
+    const scalar density,
+    const scalar viscosity
+)
+:
+    immersedBody(dict, directions, mesh, density, viscosity),
+    history_(name, directions),
+    motion_
+    (
+        input::subDict(dict, "motion"), directions, mesh.time().value()
+    )
+{
+    input::permit
+    (
+        dict, {"type", "shape", "motion", "points", "degree", "levelSet"}
+    );
+    const word type(input::get<word>(dict, "type"));
+    if (type != typeName)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry type is " << type << "; permitted: " << typeName
+            << exit(FatalIOError);
+    }
+
+    placedShape placed(kind(), name, dict, directions, mesh);
+    if (placed.shape().initialStretch() != 1)
+    {
+        FatalIOErrorInFunction(dict.subDict("shape"))
+            << "Entry initialStretch is " << placed.shape().initialStretch()
+            << "; permitted for a rigid body: none" << exit(FatalIOError);
+    }
+    basis_ = placed.basis();
+    const closedSurface initial(*basis_, placed.nodes());
+    shape_.reset(new rigidShape(initial));
+    history_.now() = interfaceState::atRest
+    (
+        initial.nodes(), 0*initial.nodes()
+    );
+    if (!history_.read(dict.topDict(), mesh.time()))
+    {
+        Info<< "Body " << name << ": starts as "
+            << placed.description().c_str() << endl;
+    }
+
+    interface_.reset
+    (
+        new sharpInterface(history_, *basis_, directions, mesh, 1)
+    );
+    setFlowScheme();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::capsule::nodalScalars Foam::capsule::rigidBody::velocity() const
+{
+    const interfaceState& now = history_.now();
+
+    return shape_->velocityOf(now.x, place().centre, now.velocity);
+}
+
+
+void Foam::capsule::rigidBody::start(const volVectorField& U)
+{
+    setSurroundings();
+    interface_->start(unsteady(), mu_);
+    centre_ = surface().centroid();
+    if (history_.nOld() == 0)
+    {
+        // No velocity yet but that given, or that of the initial field
+        interfaceState& now = history_.now();
+        const nodalScalars V =
+            motion_.free()
+          ? shape_->velocityOf
+            (
+                now.x,
+                centre_,
+                fit()(U, nullptr).value.leftCols(basis_->nComponents())
+            )
+          : motion_.velocity(mesh_.time().value());
+        now.velocity = shape_->velocity(now.x, centre_, V);
+    }
+}
+
+
+Foam::capsule::nodalVectors Foam::capsule::rigidBody::predicted
+(
+    const scalar dt,
+    const scalar dt0
+) const
+{
+    const rigidShape::place now = place();
+    if (history_.nOld() > 0)
+    {
+        const rigidShape::place old = shape_->placeOf(history_.old(0).x);
+        return shape_->nodes
+        (
+            rigidShape::moved
+            (
+                now,
+                dt/dt0*(now.centre - old.centre),
+                dt/dt0*shape_->rotation(old, now)
+            )
+        );
+    }
+    const nodalScalars V = velocity();
+    const label n = shape_->nTranslations();
+    solvedVector displacement(solvedVector::Zero(basis_->nComponents()));
+    displacement.head(n) = dt*V.head(n).transpose();
+    return shape_->nodes
+    (
+        rigidShape::moved(now, displacement, dt*V.tail(shape_->nRotations()))
+    );
+}
+
+
+void Foam::capsule::rigidBody::predict(const couplingMethod&)
+{
+    setSurroundings();
+    const closedSurface predicted(predictedSurface());
+    const nodalVectors nodes = interface_->smoothed(predicted);
+    history_.store();
+    history_.now().interface = nodes;
+    history_.now().x = nodes;
+    history_.extrapolate
+    (
+        mesh_.time().deltaTValue()/mesh_.time().deltaT0Value()
+    );
+    setFlowScheme();
+    interface_->advance(unsteady(), mu_);
+    centre_ = surface().centroid();
+    setResponse();
+}
+
+
+void Foam::capsule::rigidBody::restore()
+{
+    history_.restore();
+    setFlowScheme();
+    interface_->restore(mu_);
+}
+
+
+void Foam::capsule::rigidBody::addSources
+(
+    flowEquations::sources& sources,
+    const surfaceScalarField* flux,
+    const volScalarField& scale
+)
+{
+    addProfiling(jumps, "capsule::rigidBody::addSources");
+
+    const nodalVectors f = interface_->resolved(history_.now().force);
+    interface_->setJumps
+    (
+        f,
+        history_.now().inertia,
+        flux
+      ? pressureLaplacian(f)
+      : nodalScalars(nodalScalars::Zero(surface().size())),
+        mu_
+    );
+    if (flux)
+    {
+        interface_->addConvection
+        (
+            *flux, rho_/outerScale(), scale, sources.momentum
+        );
+    }
+    const solvedVector resultant = surface().resultant(f);
+    interface_->addSources(sources, mu_, 1, &resultant);
+}
+
+
+Foam::capsule::immersedBody::imbalance Foam::capsule::rigidBody::correct
+(
+    const volVectorField& U,
+    const volScalarField&,
+    const solvedVector&
+)
+{
+    const label n = nForce();
+    const nodalVectors fluid =
+        fit()(U, nullptr).value.leftCols(basis_->nComponents());
+    fluidResponse_.resize(2*n);
+    fluidResponse_
+        << basis_->pack(fluid) + mobility_*unresolvedForce(), unknowns();
+
+    interfaceState& now = history_.now();
+    const nodalScalars V = velocity(fluidResponse_, false);
+    const rigidShape::place to = moved(V);
+    now.x = shape_->nodes(to);
+    now.velocity = shape_->velocity(now.x, to.centre, V);
+
+    // What slips, without the net flux
+    const nodalScalars left = residual(fluidResponse_, false);
+    const nodalVectors slip = basis_->unpack(mobility_*left);
+    const scalar width = levelSet().width();
+    // Against the force that is expected: a body starts with none
+    const scalar stress =
+        rms(now.force + basis_->unpack(left))
+      + mu_*rms(surface().gradients(now.velocity)) + VSMALL;
+    const scalar noise =
+        100*SMALL*(rms(now.force) + mu_*rms(now.velocity)/width);
+
+    imbalance result;
+    const scalar rmsChange = rms(basis_->unpack(left));
+    result.stress = max(rmsChange - noise, scalar(0))/stress;
+    result.displacement =
+        slip.rowwise().norm().maxCoeff()/(motionScheme().c*width);
+    return result;
+}
+
+// ************************************************************************* //
