@@ -261,6 +261,10 @@ bool Foam::capsule::lineOfSight::clear
     const solvedVector& b
 )
 {
+    if (obstacles.empty())
+    {
+        return true;
+    }
     if (a.size() == 2)
     {
         const vector2 from = a;
