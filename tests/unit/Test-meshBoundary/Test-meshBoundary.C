@@ -382,22 +382,39 @@ static void testClearance
     (
         const vector& to,
         const scalar radius,
-        const scalar cells
+        const scalar cells,
+        const bool nested
     )
     {
         const surfaceSamples b(ball(directions, point(3, 3.5, 2) + to, radius));
-        return near.meet(a, b, cells) + near.meet(b, a, cells);
+        return
+            near.meet(a, b, cells, nested) + near.meet(b, a, cells, nested);
     };
-    check("apart, meet", meet(vector(1, 0, 0), 0.5, 0.099/width), 0);
+    check("apart, meet", meet(vector(1, 0, 0), 0.5, 0.099/width, false), 0);
     check
     (
-        "near, do not meet", meet(vector(1, 0, 0), 0.5, 0.101/width) - 2, 0
+        "near, do not meet", meet(vector(1, 0, 0), 0.5, 0.101/width, false) - 2, 0
     );
-    check("crossing, do not meet", meet(vector(0.5, 0, 0), 0.4, 0.5) - 2, 0);
-    check("nested, do not meet", meet(vector::zero, 2, 0.1) - 2, 0);
+    check("crossing, do not meet", meet(vector(0.5, 0, 0), 0.4, 0.5, false) - 2, 0);
     check
     (
-        "beside in the same box, meet", meet(vector(1.1, 1.1, 0), 1.1, 0.1), 0
+        "one inside the other, do not meet",
+        meet(vector::zero, 2, 0.1, false) - 2, 0
+    );
+    check("nested, meet", meet(vector::zero, 2, 0.1, true), 0);
+    check
+    (
+        "nested, yet apart, do not meet",
+        meet(vector(1, 0, 0), 0.5, 0.099/width, true) - 2, 0
+    );
+    check
+    (
+        "nested, yet crossing, do not meet",
+        meet(vector(0.5, 0, 0), 0.4, 0.5, true) - 2, 0
+    );
+    check
+    (
+        "beside in the same box, meet", meet(vector(1.1, 1.1, 0), 1.1, 0.1, false), 0
     );
 
     const auto obstacle = [&]
@@ -429,16 +446,21 @@ static void testClearance
         );
         check
         (
-            "images apart, meet", meet(vector(0, 0, 7), 0.5, 0.099/width), 0
+            "images apart, meet", meet(vector(0, 0, 7), 0.5, 0.099/width, false), 0
         );
         check
         (
             "images near, do not meet",
-            meet(vector(0, 0, 7), 0.5, 0.101/width) - 2, 0
+            meet(vector(0, 0, 7), 0.5, 0.101/width, false) - 2, 0
         );
         check
         (
-            "in an image, do not meet", meet(vector(0, 0, 8), 0.2, 0.1) - 2, 0
+            "in an image, do not meet",
+            meet(vector(0, 0, 8), 0.2, 0.1, false) - 2, 0
+        );
+        check
+        (
+            "nested in an image, meet", meet(vector(0, 0, 8), 0.2, 0.1, true), 0
         );
     }
 }
