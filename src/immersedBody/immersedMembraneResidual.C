@@ -165,6 +165,6 @@ Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::loaded
 ) const
 {
     nodalMatrix result = nodalMatrix::Zero(nUnknowns(), forces.cols());
-    result.topRows(nForce()) = forces;
+    result.topRows(nForce()) = outerScale()*forces;
     return result;
 }
