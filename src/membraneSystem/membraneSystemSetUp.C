@@ -15,24 +15,6 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::capsule::membraneSystem::fields::fields(const fvMesh& mesh)
-:
-    scale
-    (
-        IOobject("viscosityScale", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar("one", dimless, 1)
-    ),
-    sources(mesh),
-    freshCells
-    (
-        IOobject("freshCellMomentum", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedVector(dimPressure/dimLength, Zero)
-    )
-{}
-
-
 Foam::capsule::membraneSystem::membraneSystem
 (
     volVectorField& U,
@@ -119,7 +101,7 @@ Foam::capsule::membraneSystem::membraneSystem
     if (size())
     {
         nest();
-        fields_.reset(new fields(mesh_));
+        fields_.reset(new scaledFields(mesh_));
         setResidual();
     }
     bool scaled = false;
