@@ -57,7 +57,7 @@ Foam::scalar Foam::capsule::placedShape::radiusInCells
     if (outside >= 0 || !enclosed.empty())
     {
         FatalIOErrorInFunction(dict)
-            << title_;
+            << title_.c_str();
         if (outside >= 0)
         {
             FatalIOError
@@ -85,7 +85,7 @@ Foam::scalar Foam::capsule::placedShape::radiusInCells
     if (!(across >= leastAcross))
     {
         FatalIOErrorInFunction(dict)
-            << title_ << " is " << across << " cells across;"
+            << title_.c_str() << " is " << across << " cells across;"
             << " it needs at least " << leastAcross
             << ": see the entries " << flatOutput(dict.toc())
             << " of shape, or refine the mesh"
@@ -108,7 +108,7 @@ Foam::label Foam::capsule::placedShape::nPoints
     {
         FatalIOErrorInFunction(dict)
             << "Entry degree is for surfaces in space; permitted for "
-            << called_ << ": points" << exit(FatalIOError);
+            << called_.c_str() << ": points" << exit(FatalIOError);
     }
     const label odd = max(label(25), 2*label(0.5*pointsPerCell*cells) + 1);
     const label n = input::getOrDefault<label>
@@ -125,7 +125,7 @@ Foam::label Foam::capsule::placedShape::nPoints
     if (n < least || n > most)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry points is " << n << "; for " << called_
+            << "Entry points is " << n << "; for " << called_.c_str()
             << " on this mesh, " << least << " to " << most
             << " are permitted: points a quarter of a cell"
             << " width to four cell widths apart" << exit(FatalIOError);
@@ -133,7 +133,7 @@ Foam::label Foam::capsule::placedShape::nPoints
     if (directions_.axisymmetric() && n % 2)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry points is " << n << "; for " << called_
+            << "Entry points is " << n << "; for " << called_.c_str()
             << " in a wedge even numbers from " << least << " to " << most
             << " are permitted: half the points are mirror images"
             << exit(FatalIOError);
@@ -152,7 +152,7 @@ Foam::label Foam::capsule::placedShape::degree
     {
         FatalIOErrorInFunction(dict)
             << "Entry points is for curves in a plane or a wedge; permitted"
-            << " for " << called_ << ": degree" << exit(FatalIOError);
+            << " for " << called_.c_str() << ": degree" << exit(FatalIOError);
     }
     if (!dict.found("degree"))
     {

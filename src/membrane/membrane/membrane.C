@@ -134,7 +134,8 @@ Foam::capsule::membrane::membrane
     setInitial(closedSurface(*basis_, placed.nodes()), shape, dict);
     if (!history_.read(dict.topDict(), mesh.time()))
     {
-        Info<< "Membrane " << name << ": starts as " << placed.description();
+        Info<< "Membrane " << name << ": starts as "
+            << placed.description().c_str();
         if (shape.initialStretch() != 1)
         {
             Info<< ", stretched by " << shape.initialStretch();
