@@ -69,7 +69,8 @@ void Foam::functionObjects::bodyForces::writeRow
     const capsule::rigidShape& shape = body.shape();
     const capsule::rigidShape::place place = body.place();
     const capsule::nodalScalars angle =
-        shape.rotation(shape.start(), place)*radToDeg(1.0);
+        shape.displacement(shape.start(), place).tail(shape.nRotations())
+       *radToDeg(1.0);
     const auto writeAll = [&](const capsule::nodalScalars& values)
     {
         for (label i = 0; i < values.size(); ++i)

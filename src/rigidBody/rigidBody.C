@@ -43,20 +43,13 @@ Foam::capsule::rigidShape::place Foam::capsule::rigidBody::moved
 ) const
 {
     const timeScheme scheme = motionScheme();
-    const label n = shape_->nTranslations();
-    const rigidShape::place from = shape_->placeOf(history_.old(0).x);
-
-    solvedVector displacement(solvedVector::Zero(basis_->nComponents()));
-    displacement.head(n) = V.head(n).transpose();
-    nodalScalars rotation = V.tail(shape_->nRotations());
+    const rigidShape::place from = placeOf(history_.old(0));
+    nodalScalars step = V;
     if (scheme.c00 != 0)
     {
-        const rigidShape::place older =
-            shape_->placeOf(history_.old(1).x);
-        displacement += scheme.c00*(from.centre - older.centre);
-        rotation += scheme.c00*shape_->rotation(older, from);
+        step += scheme.c00*shape_->displacement(placeOf(history_.old(1)), from);
     }
-    return rigidShape::moved(from, displacement/scheme.c, rotation/scheme.c);
+    return shape_->moved(from, step/scheme.c);
 }
 
 
@@ -129,6 +122,17 @@ Foam::capsule::rigidBody::rigidBody
         new sharpInterface(history_, *basis_, directions, mesh, 1)
     );
     setFlowScheme();
+    if
+    (
+        motion_.free() && unsteady() && shape_->nRotations()
+     && motion_.density() < density
+    )
+    {
+        FatalIOErrorInFunction(dict.subDict("motion"))
+            << "Entry density is " << motion_.density() << "; permitted for a"
+            << " body that may turn, in a flow with inertia: at least that of"
+            << " the liquid, " << density << exit(FatalIOError);
+    }
 }
 
 
@@ -138,7 +142,7 @@ Foam::capsule::nodalScalars Foam::capsule::rigidBody::velocity() const
 {
     const interfaceState& now = history_.now();
 
-    return shape_->velocityOf(now.x, place().centre, now.velocity);
+    return shape_->velocityOf(now.x, placeOf(now).centre, now.velocity);
 }
 
 
@@ -171,28 +175,15 @@ Foam::capsule::nodalVectors Foam::capsule::rigidBody::predicted
     const scalar dt0
 ) const
 {
-    const rigidShape::place now = place();
+    // By Adams and Bashforth: the body turns while it is led on
+    nodalScalars V = velocity();
     if (history_.nOld() > 0)
     {
-        const rigidShape::place old = shape_->placeOf(history_.old(0).x);
-        return shape_->nodes
-        (
-            rigidShape::moved
-            (
-                now,
-                dt/dt0*(now.centre - old.centre),
-                dt/dt0*shape_->rotation(old, now)
-            )
-        );
+        const interfaceState& old = history_.old(0);
+        V += 0.5*dt/dt0
+           *(V - shape_->velocityOf(old.x, placeOf(old).centre, old.velocity));
     }
-    const nodalScalars V = velocity();
-    const label n = shape_->nTranslations();
-    solvedVector displacement(solvedVector::Zero(basis_->nComponents()));
-    displacement.head(n) = dt*V.head(n).transpose();
-    return shape_->nodes
-    (
-        rigidShape::moved(now, displacement, dt*V.tail(shape_->nRotations()))
-    );
+    return shape_->nodes(shape_->moved(place(), dt*V));
 }
 
 
@@ -249,8 +240,16 @@ void Foam::capsule::rigidBody::addSources
             *flux, rho_/outerScale(), scale, sources.momentum
         );
     }
+    const vectorField before
+    (
+        sources.momentum.primitiveField() - sources.gradient.primitiveField()
+    );
     const solvedVector resultant = surface().resultant(f);
     interface_->addSources(sources, mu_, 1, &resultant);
+    if (surface().nRotations())
+    {
+        addMoment(f, before, sources);
+    }
 }
 
 

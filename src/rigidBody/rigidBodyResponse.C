@@ -22,6 +22,68 @@ Foam::capsule::nodalMatrix Foam::capsule::rigidBody::excessMass
 }
 
 
+Foam::capsule::nodalMatrix Foam::capsule::rigidBody::normalPart() const
+{
+    const label n = basis_->nPacked();
+    const label d = basis_->nComponents();
+    const nodalMatrix identity(nodalMatrix::Identity(n, n));
+    nodalMatrix result(d*n, d*n);
+    for (label i = 0; i < d; ++i)
+    {
+        for (label j = 0; j < d; ++j)
+        {
+            result.block(i*n, j*n, n, n) = basis_->multiplied
+            (
+                surface().normal().col(i),
+                basis_->multiplied(surface().normal().col(j), identity)
+            );
+        }
+    }
+    return result;
+}
+
+
+void Foam::capsule::rigidBody::addInertia
+(
+    const nodalScalars& normal,
+    const nodalScalars& flux
+)
+{
+    const scalar l2 = rho_*flowScheme().c/mu_;
+    const nodalMatrix S2 = 2*mu_*mobility_;
+    const nodalMatrix one(nodalMatrix::Identity(S2.rows(), S2.cols()));
+    const nodalMatrix N = normalPart();
+
+    const nodalMatrix resistance =
+        inverse_
+      + 2*mu_*l2
+       *((one + Foam::sqrt(l2)*S2).partialPivLu().solve(S2) + 2*N*S2*N);
+
+    // The pressure inside lets no net flux pass
+    const nodalMatrix all = resistance.inverse();
+    const nodalScalars ofPressure = all*normal;
+    mobility_ =
+        all
+      - ofPressure*(flux.transpose()*all)/flux.dot(ofPressure);
+}
+
+
+void Foam::capsule::rigidBody::setInverse
+(
+    const nodalScalars& normal,
+    const nodalScalars& flux
+)
+{
+    // A uniform pressure makes as much flux as one of a wave of the size of
+    // the body would
+    inverse_ =
+        (
+            mobility_
+          + surface().meanRadius()/mu_*normal*flux.transpose()
+        ).inverse();
+}
+
+
 void Foam::capsule::rigidBody::setResponse()
 {
     const label n = nForce();
@@ -39,14 +101,16 @@ void Foam::capsule::rigidBody::setResponse()
             basis_->packedWeights(scaled(area, mode)).transpose();
     }
 
-    // A uniform pressure makes as much flux as one of a wave of the size of
-    // the body would
     mobility_ = freeSpaceResponse::singleLayer(s, mu_);
     const nodalScalars normal = basis_->pack(s.normal());
     const nodalScalars flux =
         basis_->packedWeights(scaled(area, s.normal()))/s.area();
-    inverse_ =
-        (mobility_ + s.meanRadius()/mu_*normal*flux.transpose()).inverse();
+    setInverse(normal, flux);
+    if (unsteady())
+    {
+        addInertia(normal, flux);
+        setInverse(normal, flux);
+    }
     inverse_ -= (inverse_*normal)*flux.transpose();
     resistance_ = resultants_*inverse_;
 
@@ -70,7 +134,7 @@ void Foam::capsule::rigidBody::setResponse()
             balance_ += weights[i]*excessMass(surfaceOf(old))
                *shape_->velocityOf
                 (
-                    old.x, shape_->placeOf(old.x).centre, old.velocity
+                    old.x, placeOf(old).centre, old.velocity
                 );
         }
     }
@@ -134,7 +198,7 @@ Foam::capsule::nodalScalars Foam::capsule::rigidBody::fluidForce() const
         return nodalScalars
         (
             rho_*shape_->volumes(surfaceOf(s))
-           *shape_->velocityOf(s.x, shape_->placeOf(s.x).centre, s.velocity)
+           *shape_->velocityOf(s.x, placeOf(s).centre, s.velocity)
         );
     };
     if (scheme.c != 0 && history_.nOld() > 0)

@@ -24,7 +24,9 @@ static solvedTensor turn(const nodalScalars& v, const label d)
     const scalar angle = v.norm();
     if (v.size() == 1)
     {
-        result << std::cos(v(0)), -std::sin(v(0)), std::sin(v(0)), std::cos(v(0));
+        const scalar c = std::cos(v(0));
+        const scalar s = std::sin(v(0));
+        result << c, -s, s, c;
     }
     else if (angle > 0)
     {
@@ -109,35 +111,38 @@ Foam::capsule::nodalVectors Foam::capsule::rigidShape::nodes
 Foam::capsule::rigidShape::place Foam::capsule::rigidShape::moved
 (
     const place& from,
-    const solvedVector& displacement,
-    const nodalScalars& rotation
-)
+    const nodalScalars& step
+) const
 {
-    return
-    {
-        from.centre + displacement,
-        turn(rotation, displacement.size())*from.rotation
-    };
+    place result(from);
+    result.centre.head(nTranslations_) +=
+        step.head(nTranslations_).transpose();
+    result.rotation =
+        turn(step.tail(nRotations_), from.centre.size())*from.rotation;
+    return result;
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::rigidShape::rotation
+Foam::capsule::nodalScalars Foam::capsule::rigidShape::displacement
 (
     const place& from,
     const place& to
 ) const
 {
-    nodalScalars result(nRotations_);
+    nodalScalars result(nModes());
+    result.head(nTranslations_) =
+        (to.centre - from.centre).head(nTranslations_).transpose();
+
     const solvedTensor between = to.rotation*from.rotation.transpose();
     if (nRotations_ == 1)
     {
-        result(0) = std::atan2(between(1, 0), between(0, 0));
+        result(nTranslations_) = std::atan2(between(1, 0), between(0, 0));
     }
     else if (nRotations_ == 3)
     {
         const Eigen::Matrix<scalar, 3, 3> Q = between;
         const Eigen::AngleAxis<scalar> turned(Q);
-        result = turned.angle()*turned.axis();
+        result.tail(3) = turned.angle()*turned.axis();
     }
     return result;
 }

@@ -1,0 +1,91 @@
+/*---------------------------------------------------------------------------*\
+    capsuleFoam: elastic capsules and red blood cells for OpenFOAM
+    Copyright (C) 2026 The capsuleFoam developers
+-------------------------------------------------------------------------------
+License
+    This file is part of capsuleFoam, free software under the GNU General
+    Public License, version 3 or later: see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "rigidBody.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::capsule::rigidBody::addMoment
+(
+    const nodalVectors& f,
+    const vectorField& before,
+    flowEquations::sources& sources
+) const
+{
+    const label m = surface().nRotations();
+    const label d = basis_->nComponents();
+
+    // Cells that have a source of this body, and their arms
+    DynamicList<label> cells;
+    forAll(before, celli)
+    {
+        if (sources.momentum[celli] - sources.gradient[celli] != before[celli])
+        {
+            cells.append(celli);
+        }
+    }
+    nodalVectors arm(cells.size(), d);
+    nodalVectors force(cells.size(), d);
+    nodalScalars volume(cells.size());
+    forAll(cells, i)
+    {
+        const label celli = cells[i];
+        volume(i) = mesh_.V()[celli];
+        arm.row(i) = levelSet().image(mesh_.C()[celli]) - centre_;
+        force.row(i) = volume(i)*directions_
+        (
+            sources.momentum[celli] - sources.gradient[celli] - before[celli]
+        );
+    }
+
+    // A rotation about their middle has a moment but no resultant
+    const auto sum = [](scalar value)
+    {
+        return returnReduce(value, sumOp<scalar>());
+    };
+    const scalar total = sum(volume.sum());
+    if (total == 0)
+    {
+        return;
+    }
+    solvedVector middle(d);
+    for (label j = 0; j < d; ++j)
+    {
+        middle(j) = sum(volume.dot(arm.col(j)))/total;
+    }
+    nodalScalars missing(m);
+    nodalMatrix moments(m, m);
+    for (label k = 0; k < m; ++k)
+    {
+        missing(k) =
+            directions_.sector()*surface().moment(f, k)
+          - sum(dot(turned(arm, k), force).sum());
+        for (label l = 0; l < m; ++l)
+        {
+            const nodalVectors spin =
+                turned(nodalVectors(arm.rowwise() - middle), l);
+            moments(k, l) = sum(volume.dot(dot(turned(arm, k), spin)));
+        }
+    }
+    const nodalScalars rates = moments.inverse()*missing;
+    forAll(cells, i)
+    {
+        for (label k = 0; k < m; ++k)
+        {
+            const nodalVectors spin =
+                turned(nodalVectors(arm.row(i) - middle), k);
+            sources.momentum[cells[i]] +=
+                rates(k)*directions_.toVector(spin.row(0));
+        }
+    }
+}
+
+
+// ************************************************************************* //
