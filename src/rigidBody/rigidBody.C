@@ -268,28 +268,42 @@ Foam::capsule::immersedBody::imbalance Foam::capsule::rigidBody::correct
         << basis_->pack(fluid) + mobility_*unresolvedForce(), unknowns();
 
     interfaceState& now = history_.now();
-    const nodalScalars V = velocity(fluidResponse_, false);
+    // At the end that of the balance: nothing slips
+    const nodalScalars V =
+        motion_.free() ? nodalScalars(carried(fluidResponse_.head(n))) : given_;
     const rigidShape::place to = moved(V);
     now.x = shape_->nodes(to);
     now.velocity = shape_->velocity(now.x, to.centre, V);
 
-    // What slips, without the net flux
     const nodalScalars left = residual(fluidResponse_, false);
-    const nodalVectors slip = basis_->unpack(mobility_*left);
+    return remaining(left, left);
+}
+
+
+Foam::capsule::immersedBody::imbalance Foam::capsule::rigidBody::remaining
+(
+    const nodalScalars&,
+    const nodalScalars& change
+) const
+{
+    // What slips, without the net flux, and against the force that is
+    // expected: a body starts with none
+    const interfaceState& now = history_.now();
+    const nodalVectors df = basis_->unpack(change);
+    const nodalVectors slip = basis_->unpack(mobility_*change);
     const scalar width = levelSet().width();
-    // Against the force that is expected: a body starts with none
     const scalar stress =
-        rms(now.force + basis_->unpack(left))
-      + mu_*rms(surface().gradients(now.velocity)) + VSMALL;
+        rms(now.force + df) + mu_*rms(surface().gradients(now.velocity))
+      + VSMALL;
     const scalar noise =
         100*SMALL*(rms(now.force) + mu_*rms(now.velocity)/width);
 
     imbalance result;
-    const scalar rmsChange = rms(basis_->unpack(left));
-    result.stress = max(rmsChange - noise, scalar(0))/stress;
+    result.stress = max(rms(df) - noise, scalar(0))/stress;
     result.displacement =
         slip.rowwise().norm().maxCoeff()/(motionScheme().c*width);
     return result;
 }
+
 
 // ************************************************************************* //
