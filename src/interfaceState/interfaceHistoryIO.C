@@ -194,7 +194,7 @@ void Foam::capsule::interfaceHistory::checkStart
     if (!atStart)
     {
         FatalIOErrorInFunction(file)
-            << "The state of membrane " << name_ << ", " << missing
+            << "The state of " << called_.c_str() << ", " << missing
             << ", is missing, and the time " << runTime.timeName()
             << " is not that at which membranes have their shapes, startTime "
             << start << nl
@@ -213,7 +213,7 @@ void Foam::capsule::interfaceHistory::checkStart
     )
     {
         FatalErrorInFunction
-            << "The state of membrane " << name_ << ", "
+            << "The state of " << called_.c_str() << ", "
             << missing << ", is missing, but a run has written"
             << " this time" << nl
             << "    To start membranes from their shapes, remove"
@@ -237,7 +237,7 @@ bool Foam::capsule::interfaceHistory::read
         if (isFile(io.objectPath()))
         {
             FatalErrorInFunction
-                << "The state of membrane " << name_ << " in "
+                << "The state of " << called_.c_str() << " in "
                 << io.objectPath() << " is damaged: no header"
                 << exit(FatalError);
         }
@@ -257,8 +257,8 @@ bool Foam::capsule::interfaceHistory::read
     if (version != stateVersion)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry version is " << version << ": the state of membrane "
-            << name_ << " is that of another version of the program; permitted: "
+            << "Entry version is " << version << ": the state of "
+            << called_.c_str() << " is that of another version of the program; permitted: "
             << stateVersion << exit(FatalIOError);
     }
 
@@ -268,8 +268,8 @@ bool Foam::capsule::interfaceHistory::read
         if (n != now_.x.rows())
         {
             FatalIOErrorInFunction(in)
-                << "Entry " << name << " has " << n << " points, but membrane "
-                << name_ << " has " << now_.x.rows() << exit(FatalIOError);
+                << "Entry " << name << " has " << n << " points, but "
+                << called_.c_str() << " has " << now_.x.rows() << exit(FatalIOError);
         }
     };
     const auto readLevel = [&](const label i)
@@ -306,11 +306,13 @@ bool Foam::capsule::interfaceHistory::read
     {
         FatalIOErrorInFunction(dict)
             << "Entry digest is not that of the points and fields: the state"
-            << " of membrane " << name_ << " is damaged or was edited"
+            << " of " << called_.c_str() << " is damaged or was edited"
             << exit(FatalIOError);
     }
 
-    Info<< "Membrane " << name_ << ": goes on from " << dict.objectPath()
+    string title(called_);
+    title[0] = std::toupper(title[0]);
+    Info<< title.c_str() << ": goes on from " << dict.objectPath()
         << endl;
     return true;
 }

@@ -79,7 +79,7 @@ Foam::capsule::rigidBody::rigidBody
 )
 :
     immersedBody(dict, directions, mesh, density, viscosity),
-    history_(name, directions),
+    history_("body", name, directions),
     motion_
     (
         input::subDict(dict, "motion"), directions, mesh.time().value()

@@ -99,7 +99,7 @@ Foam::capsule::membrane::membrane
 )
 :
     directions_(directions),
-    history_(name, directions),
+    history_("membrane", name, directions),
     viscosity_
     (
         input::getPositive(dict, "viscosity", dimPressure*dimTime, "Pa s")
