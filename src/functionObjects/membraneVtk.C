@@ -140,7 +140,8 @@ void Foam::capsule::membraneVtk::writePoints
     const point origin = directions_.toPoint(axis);
     for (const station& s : at)
     {
-        const solvedVector x = fields.row(s.row).head(directions_.size());
+        solvedVector x(solvedVector::Zero(directions_.size()));
+        x += fields.row(s.row).head(directions_.size());
         writeVector(origin + turned(x - axis, s), os);
     }
 }
