@@ -240,10 +240,7 @@ void Foam::capsule::rigidBody::addSources
             *flux, rho_/outerScale(), scale, sources.momentum
         );
     }
-    const vectorField before
-    (
-        sources.momentum.primitiveField() - sources.gradient.primitiveField()
-    );
+    const vectorField before(cutSource(sources));
     const solvedVector resultant = surface().resultant(f);
     interface_->addSources(sources, mu_, 1, &resultant);
     if (surface().nRotations())

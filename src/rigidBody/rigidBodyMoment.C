@@ -12,6 +12,21 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::vectorField Foam::capsule::rigidBody::cutSource
+(
+    const flowEquations::sources& sources
+) const
+{
+    const labelUList& cells = interface_->cut();
+    vectorField result(cells.size());
+    forAll(cells, i)
+    {
+        result[i] = sources.momentum[cells[i]] - sources.gradient[cells[i]];
+    }
+    return result;
+}
+
+
 void Foam::capsule::rigidBody::addMoment
 (
     const nodalVectors& f,
@@ -22,15 +37,8 @@ void Foam::capsule::rigidBody::addMoment
     const label m = surface().nRotations();
     const label d = basis_->nComponents();
 
-    // Cells that have a source of this body, and their arms
-    DynamicList<label> cells;
-    forAll(before, celli)
-    {
-        if (sources.momentum[celli] - sources.gradient[celli] != before[celli])
-        {
-            cells.append(celli);
-        }
-    }
+    const labelUList& cells = interface_->cut();
+    const vectorField source(cutSource(sources) - before);
     nodalVectors arm(cells.size(), d);
     nodalVectors force(cells.size(), d);
     nodalScalars volume(cells.size());
@@ -39,10 +47,7 @@ void Foam::capsule::rigidBody::addMoment
         const label celli = cells[i];
         volume(i) = mesh_.V()[celli];
         arm.row(i) = levelSet().image(mesh_.C()[celli]) - centre_;
-        force.row(i) = volume(i)*directions_
-        (
-            sources.momentum[celli] - sources.gradient[celli] - before[celli]
-        );
+        force.row(i) = volume(i)*directions_(source[i]);
     }
 
     // A rotation about their middle has a moment but no resultant
