@@ -23,6 +23,8 @@ Usage
 
 #include "fvCFD.H"
 #include "geometryTests.H"
+#include "footTests.H"
+#include "forceTests.H"
 #include "unknownTests.H"
 #include "jumpTests.H"
 #include "faceTests.H"
