@@ -89,6 +89,32 @@ void Foam::capsule::flowEquations::set(const fvVectorMatrix& UEqn)
 }
 
 
+void Foam::capsule::flowEquations::setBoundaryFlux(const volVectorField& gradp)
+{
+    forAll(phi_.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pp = p_.boundaryField()[patchi];
+        if (pp.coupled())
+        {
+            continue;
+        }
+        const vectorField& S = mesh_.Sf().boundaryField()[patchi];
+        scalarField flux(U_.boundaryField()[patchi] & S);
+        if (followsPressure(patchi))
+        {
+            flux = U_.boundaryField()[patchi].patchInternalField() & S;
+            flux +=
+                rAUf_.boundaryField()[patchi]
+               *(
+                    (gradp.boundaryField()[patchi].patchInternalField() & S)
+                  - pp.snGrad()*mesh_.magSf().boundaryField()[patchi]
+                );
+        }
+        phi_.boundaryFieldRef()[patchi] = flux;
+    }
+}
+
+
 Foam::capsule::nodalScalars Foam::capsule::flowEquations::residual
 (
     const fvVectorMatrix& UEqn,
@@ -131,30 +157,7 @@ Foam::capsule::nodalScalars Foam::capsule::flowEquations::residual
         phi_ += extra->flux + rAUf_*extra->pressureFlux;
     }
 
-    // Boundary fluxes are those of the velocity; where the pressure is fixed
-    // and the velocity follows it, those of the velocity of the cell, with the
-    // gradient of the cell against that of the face
-    forAll(phi_.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& pp = p_.boundaryField()[patchi];
-        if (pp.coupled())
-        {
-            continue;
-        }
-        const vectorField& S = mesh_.Sf().boundaryField()[patchi];
-        scalarField flux(U_.boundaryField()[patchi] & S);
-        if (followsPressure(patchi))
-        {
-            flux = U_.boundaryField()[patchi].patchInternalField() & S;
-            flux +=
-                rAUf_.boundaryField()[patchi]
-               *(
-                    (gradp.boundaryField()[patchi].patchInternalField() & S)
-                  - pp.snGrad()*mesh_.magSf().boundaryField()[patchi]
-                );
-        }
-        phi_.boundaryFieldRef()[patchi] = flux;
-    }
+    setBoundaryFlux(gradp);
 
     scalarField continuity(-fvc::div(phi_)().primitiveField());
     if (extra)

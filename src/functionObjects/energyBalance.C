@@ -153,6 +153,36 @@ void Foam::functionObjects::energyBalance::writeRow
 }
 
 
+Foam::Pair<Foam::scalar> Foam::functionObjects::energyBalance::bodiesPower
+(
+    const capsule::membraneSystem& system
+)
+{
+    Pair<scalar> sum(0, 0);
+    const auto add = [&]
+    (
+        const capsule::closedSurface& surface,
+        const capsule::nodalScalars& power
+    )
+    {
+        sum.first() += surface.integral(power);
+        sum.second() += surface.integral(power.cwiseAbs());
+    };
+    for (label i = 0; i < system.nMembranes(); ++i)
+    {
+        const capsule::closedSurface surface(system[i].surface());
+        add(surface, system[i].power(surface));
+    }
+    for (label i = 0; i < system.nBodies(); ++i)
+    {
+        const capsule::rigidBody& body = system.body(i);
+        const capsule::interfaceState& now = body.history().now();
+        add(body.stepSurface(), capsule::dot(now.force, now.velocity));
+    }
+    return sum;
+}
+
+
 Foam::scalar Foam::functionObjects::energyBalance::contactPower
 (
     const capsule::membraneSystem& system
@@ -292,39 +322,21 @@ bool Foam::functionObjects::energyBalance::write()
     const scalar kinetic = (rate + boundary.second())/sector;
     const scalar driving =
         (system.driving().force() & gSum(U.primitiveField()*V))/sector;
-    scalar membranes = 0;
-    scalar gross = 0;
-    for (label i = 0; i < system.nMembranes(); ++i)
-    {
-        const capsule::closedSurface surface(system[i].surface());
-        const capsule::nodalScalars power = system[i].power(surface);
-        membranes += surface.integral(power);
-        gross += surface.integral(power.cwiseAbs());
-    }
-    for (label i = 0; i < system.nBodies(); ++i)
-    {
-        const capsule::rigidBody& body = system.body(i);
-        const capsule::closedSurface surface(body.stepSurface());
-        const capsule::interfaceState& now = body.history().now();
-        const capsule::nodalScalars power =
-            capsule::dot(now.force, now.velocity);
-        membranes += surface.integral(power);
-        gross += surface.integral(power.cwiseAbs());
-    }
-
+    const Pair<scalar> bodies(bodiesPower(system));
     const scalar contact = contactPower(system);
 
     const scalar stress = boundary.first()/sector;
     const scalar imbalance =
-        stress + membranes + contact + driving - dissipation - kinetic;
+        stress + bodies.first() + contact + driving - dissipation - kinetic;
     const scalar fed =
-        max(stress, 0) + max(membranes, 0) + max(contact, 0) + max(driving, 0)
-      + max(-kinetic, 0);
+        max(stress, 0) + max(bodies.first(), 0) + max(contact, 0)
+      + max(driving, 0) + max(-kinetic, 0);
 
     writeRow
     (
         {
-            dissipation, kinetic, stress, membranes, driving, imbalance, contact
+            dissipation, kinetic, stress, bodies.first(), driving, imbalance,
+            contact
         },
         known
     );
@@ -333,7 +345,7 @@ bool Foam::functionObjects::energyBalance::write()
         warnOfUnknown();
         return true;
     }
-    if (mag(imbalance) > max(largestImbalance_*fed, rest_*gross))
+    if (mag(imbalance) > max(largestImbalance_*fed, rest_*bodies.second()))
     {
         WarningInFunction
             << "Power of " << imbalance

@@ -171,6 +171,42 @@ public:
     }
 };
 
+
+//- A time level, of an interface of n points; its fields go to the digest
+static interfaceState stateOf
+(
+    const dictionary& level,
+    const solvedDirections& directions,
+    const label n,
+    const string& called,
+    stateDigest& digest
+)
+{
+    const auto check = [&](const word& entry, const label size)
+    {
+        if (size != n)
+        {
+            FatalIOErrorInFunction(level)
+                << "Entry " << entry << " has " << size << " points, but "
+                << called.c_str() << " has " << n << exit(FatalIOError);
+        }
+    };
+    interfaceState s;
+    for (const auto& entry : stateFields)
+    {
+        const vectorField field(input::get<vectorField>(level, entry.name));
+        check(entry.name, field.size());
+        digest.add(field);
+        s.*entry.field = directions.toNodes(field);
+    }
+    const scalarField pressure(input::get<scalarField>(level, "pressure"));
+    check("pressure", pressure.size());
+    digest.add(pressure);
+    s.pressure =
+        Eigen::Map<const nodalScalars>(pressure.cdata(), pressure.size());
+    return s;
+}
+
 } // End namespace capsule
 } // End namespace Foam
 
@@ -258,43 +294,19 @@ bool Foam::capsule::interfaceHistory::read
     {
         FatalIOErrorInFunction(dict)
             << "Entry version is " << version << ": the state of "
-            << called_.c_str() << " is that of another version of the program; permitted: "
-            << stateVersion << exit(FatalIOError);
+            << called_.c_str() << " is that of another version of the program;"
+            << " permitted: " << stateVersion << exit(FatalIOError);
     }
 
     stateDigest digest;
-    const auto check = [&](const dictionary& in, const word& name, const label n)
-    {
-        if (n != now_.x.rows())
-        {
-            FatalIOErrorInFunction(in)
-                << "Entry " << name << " has " << n << " points, but "
-                << called_.c_str() << " has " << now_.x.rows() << exit(FatalIOError);
-        }
-    };
     const auto readLevel = [&](const label i)
     {
-        const dictionary& level =
-            input::subDict(dict, "level" + Foam::name(i));
-        interfaceState s;
-        for (const auto& entry : stateFields)
-        {
-            const vectorField field
-            (
-                input::get<vectorField>(level, entry.name)
-            );
-            check(level, entry.name, field.size());
-            digest.add(field);
-            s.*entry.field = directions_.toNodes(field);
-        }
-        const scalarField pressure(input::get<scalarField>(level, "pressure"));
-        check(level, "pressure", pressure.size());
-        digest.add(pressure);
-        s.pressure =
-            Eigen::Map<const nodalScalars>(pressure.cdata(), pressure.size());
-        return s;
+        return stateOf
+        (
+            input::subDict(dict, "level" + Foam::name(i)), directions_,
+            now_.x.rows(), called_, digest
+        );
     };
-
     now_ = readLevel(0);
     old_.setSize(input::getBetween<label>(dict, "oldLevels", 0, 2));
     forAll(old_, i)

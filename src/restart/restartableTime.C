@@ -55,24 +55,8 @@ void Foam::capsule::restartableTime::writeTimeDict(const fileNameList* files) co
 }
 
 
-void Foam::capsule::restartableTime::resume()
+void Foam::capsule::restartableTime::checkFiles(const dictionary& dict) const
 {
-    // Not an IOdictionary: that of each processor, for its own files
-    IOobject io(timeFile(IOobject::MUST_READ));
-    if (!io.typeHeaderOk<localIOdictionary>(false))
-    {
-        FatalErrorInFunction
-            << "The file " << timePath()/"uniform"/"time"
-            << " is missing or damaged: no header" << nl
-            << "    To go on from an earlier time, remove the directory "
-            << timePath() << exit(FatalError);
-    }
-    const localIOdictionary dict(io, IOdictionary::typeName);
-    if (input::get<label>(dict, "index") == 0)
-    {
-        return;
-    }
-
     if (!dict.found("files"))
     {
         FatalIOErrorInFunction(dict)
@@ -95,6 +79,28 @@ void Foam::capsule::restartableTime::resume()
                 << timePath() << exit(FatalError);
         }
     }
+}
+
+
+void Foam::capsule::restartableTime::resume()
+{
+    // Not an IOdictionary: that of each processor, for its own files
+    IOobject io(timeFile(IOobject::MUST_READ));
+    if (!io.typeHeaderOk<localIOdictionary>(false))
+    {
+        FatalErrorInFunction
+            << "The file " << timePath()/"uniform"/"time"
+            << " is missing or damaged: no header" << nl
+            << "    To go on from an earlier time, remove the directory "
+            << timePath() << exit(FatalError);
+    }
+    const localIOdictionary dict(io, IOdictionary::typeName);
+    if (input::get<label>(dict, "index") == 0)
+    {
+        return;
+    }
+
+    checkFiles(dict);
 
     const auto seconds = [&](const word& entry, const scalar least)
     {

@@ -10,9 +10,8 @@ Application
     Test-curve
 
 Description
-    Unit tests of curve geometry, bending,
-    free-space responses and the motion of points along a drop against exact
-    values. Returns the number of failures.
+    Unit tests of curve geometry, bending, free-space responses and the motion
+    of points along a drop against exact values. Returns the number of failures.
 
 \*---------------------------------------------------------------------------*/
 
@@ -20,23 +19,12 @@ Description
 #include "freeSpaceResponse.H"
 #include "membraneMotion.H"
 #include "sampleSearch.H"
+#include "testing.H"
 #include "mathematicalConstants.H"
-#include "IOstreams.H"
-#include "IStringStream.H"
 
 using namespace Foam;
 using namespace Foam::capsule;
 using Foam::constant::mathematical::pi;
-
-static label failed = 0;
-
-static void check(const char* what, const scalar value, const scalar bound)
-{
-    const bool ok = (mag(value) <= bound);
-    Info<< (ok ? "PASS " : "FAIL ") << what << ": " << value << " (bound "
-        << bound << ")" << endl;
-    failed += !ok;
-}
 
 static nodalVectors ellipse
 (
@@ -53,9 +41,10 @@ static nodalVectors ellipse
     return x;
 }
 
-int main()
+
+//- Geometry of an ellipse; perimeter 4 a E(e) for a = 2, b = 1
+static void testEllipse()
 {
-    // Geometry of an ellipse; perimeter 4 a E(e) for a = 2, b = 1
     const scalar perimeter = 9.688448220547675;
     scalar last = 0;
     for (const label n : {16, 17, 32, 33})
@@ -97,11 +86,14 @@ int main()
             last = error;
         }
     }
+}
 
+
+//- Nearest point: from a point on the normal at a known parameter
+static void testFeet()
+{
     const curveBasis basis(41);
     const closedSurface curve(basis, ellipse(basis, 2, 1));
-
-    // Nearest point: from a point on the normal at a known parameter
     for (const scalar alpha : {0.3, 1.5, 4.0})
     {
         const surfacePoint foot = curve.expand(surfaceParameter(alpha, 0, 0));
@@ -119,150 +111,165 @@ int main()
             );
         }
     }
+}
 
-    // The nearest of some points: against looking at all, for points inside and
-    // outside, near and far; the same with a bound just above and just below
+
+//- The nearest of some points: against looking at all, for points inside and
+//  outside, near and far; the same with a bound just above and just below
+static void testSearch()
+{
+    const curveBasis basis(41);
+    const closedSurface curve(basis, ellipse(basis, 2, 1));
+    const nodalVectors samples = curve.sampled();
+    const sampleSearch search(samples);
+    label wrong = 0;
+    for (label i = 0; i < 400; ++i)
     {
-        const nodalVectors samples = curve.sampled();
-        const sampleSearch search(samples);
-        label wrong = 0;
-        for (label i = 0; i < 400; ++i)
-        {
-            const scalar turn = 0.1 + 2.4*i;
-            const scalar away = 0.01*i;
-            const solvedVector x =
-                vector2(3 + away*std::cos(turn), away*std::sin(turn));
-            const nodalScalars squares =
-                (samples.rowwise() - x).rowwise().squaredNorm();
-            const scalar least = squares.minCoeff();
-            scalar above = least*(1 + 1e-9);
-            scalar below = least*(1 - 1e-9);
-            const label found = search.nearest(x);
-            wrong +=
-                squares(found) != least
-             || search.nearest(x, above) == -1
-             || mag(above - least) > 1e-12*least
-             || search.nearest(x, below) != -1;
-        }
-        check("points whose nearest sample is not found", wrong, 0);
+        const scalar turn = 0.1 + 2.4*i;
+        const scalar away = 0.01*i;
+        const solvedVector x =
+            vector2(3 + away*std::cos(turn), away*std::sin(turn));
+        const nodalScalars squares =
+            (samples.rowwise() - x).rowwise().squaredNorm();
+        const scalar least = squares.minCoeff();
+        scalar above = least*(1 + 1e-9);
+        scalar below = least*(1 - 1e-9);
+        const label found = search.nearest(x);
+        wrong +=
+            squares(found) != least
+         || search.nearest(x, above) == -1
+         || mag(above - least) > 1e-12*least
+         || search.nearest(x, below) != -1;
     }
+    check("points whose nearest sample is not found", wrong, 0);
+}
 
-    // Constant tension on a circle: F = -T/R n
+
+//- Constant tension on a circle: F = -T/R n
+static void testTension()
+{
+    const curveBasis basis(41);
+    const closedSurface circle(basis, ellipse(basis, 0.5, 0.5));
+    const nodalVectors F = circle.ds(circle.tangent());
+    check
+    (
+        "force on a circle of constant tension",
+        (F + 2*circle.normal()).cwiseAbs().maxCoeff(), 1e-10
+    );
+}
+
+
+//- Bending: the derivative of the force against central differences, on an
+//  ellipse displaced by a smooth wave, away from its initial shape, a flatter
+//  one
+static void testBending()
+{
+    const curveBasis basis(41);
+    const closedSurface initial(basis, ellipse(basis, 1.8, 1.2));
+    const nodalVectors x = ellipse(basis, 2, 1);
+    const closedSurface curve(basis, x);
+    nodalVectors dx(basis.size(), 2);
+    for (label i = 0; i < basis.size(); ++i)
     {
-        const closedSurface circle(basis, ellipse(basis, 0.5, 0.5));
-        const nodalVectors F = circle.ds(circle.tangent());
-        check
+        dx.row(i) = vector2
         (
-            "force on a circle of constant tension",
-            (F + 2*circle.normal()).cwiseAbs().maxCoeff(), 1e-10
+            std::cos(3*basis.alpha(i)), std::sin(2*basis.alpha(i) + 1)
         );
     }
-
-    // Bending: the derivative of the force against central differences, on an
-    // ellipse displaced by a smooth wave, away from its initial shape, a flatter
-    // one
+    const auto model = [&](const char* reference)
     {
-        const closedSurface initial(basis, ellipse(basis, 1.8, 1.2));
-        const nodalVectors x = ellipse(basis, 2, 1);
-        const closedSurface curve(basis, x);
-        nodalVectors dx(basis.size(), 2);
-        for (label i = 0; i < basis.size(); ++i)
-        {
-            dx.row(i) = vector2
-            (
-                std::cos(3*basis.alpha(i)), std::sin(2*basis.alpha(i) + 1)
-            );
-        }
-        const auto model = [&](const char* reference)
-        {
-            IStringStream is
-            (
-                std::string("type Helfrich; bendingModulus 0.7; ") + reference
-            );
-            autoPtr<bendingModel> bending(bendingModel::New(dictionary(is)));
-            bending->setReference(initial);
-            return bending;
-        };
-        const auto force = [&](const bendingModel& bending, const scalar step)
-        {
-            nodalVectors resultant = nodalVectors::Zero(basis.size(), 2);
-            bending.addResultant
-            (
-                closedSurface(basis, x + step*dx), resultant
-            );
-            return curve.ds(resultant);
-        };
+        IStringStream is
+        (
+            std::string("type Helfrich; bendingModulus 0.7; ") + reference
+        );
+        autoPtr<bendingModel> bending(bendingModel::New(dictionary(is)));
+        bending->setReference(initial);
+        return bending;
+    };
+    const auto force = [&](const bendingModel& bending, const scalar step)
+    {
+        nodalVectors resultant = nodalVectors::Zero(basis.size(), 2);
+        bending.addResultant
+        (
+            closedSurface(basis, x + step*dx), resultant
+        );
+        return curve.ds(resultant);
+    };
 
-        for
-        (
-            const char* reference :
-            {
-                "",
-                "referenceCurvature initial;",
-                "referenceCurvature none;",
-                "referenceCurvature 0.6;",
-                "referenceCurvature [0 -1 0 0 0 0 0] -0.6;"
-            }
-        )
+    for
+    (
+        const char* reference :
         {
-            const autoPtr<bendingModel> bending(model(reference));
-            const nodalVectors slope =
-                (force(*bending, 1e-5) - force(*bending, -1e-5))/2e-5;
-            nodalMatrix jacobian =
-                nodalMatrix::Zero(2*basis.size(), 2*basis.size());
-            bending->addJacobian(curve, jacobian);
-            Info<< reference << nl;
-            check
-            (
-                "derivative of the bending force, relative",
-                (jacobian*stacked(dx) - stacked(slope)).norm()/slope.norm(),
-                1e-6
-            );
+            "",
+            "referenceCurvature initial;",
+            "referenceCurvature none;",
+            "referenceCurvature 0.6;",
+            "referenceCurvature [0 -1 0 0 0 0 0] -0.6;"
         }
-
-        // None at the initial shape where that is the reference; elsewhere the
-        // part of the initial curvature is the difference, and a curvature that
-        // is the same everywhere has no force
-        const auto resultant =
-            [&](const char* reference, const closedSurface& shape)
-        {
-            nodalVectors result = nodalVectors::Zero(basis.size(), 2);
-            model(reference)->addResultant(shape, result);
-            return result;
-        };
-        const nodalScalars kappa = curve.ds(initial.curvature());
+    )
+    {
+        const autoPtr<bendingModel> bending(model(reference));
+        const nodalVectors slope =
+            (force(*bending, 1e-5) - force(*bending, -1e-5))/2e-5;
+        nodalMatrix jacobian =
+            nodalMatrix::Zero(2*basis.size(), 2*basis.size());
+        bending->addJacobian(curve, jacobian);
+        Info<< reference << nl;
         check
         (
-            "bending of the initial shape as reference",
-            resultant("", initial).cwiseAbs().maxCoeff(), 1e-9
-        );
-        check
-        (
-            "bending without a reference less that from the initial shape",
-            (
-                resultant("referenceCurvature none;", curve)
-              - resultant("referenceCurvature initial;", curve)
-              - scaled(0.7*kappa, curve.normal())
-            ).cwiseAbs().maxCoeff(), 1e-9
-        );
-        check
-        (
-            "bending by a uniform reference less that without one",
-            (
-                resultant("referenceCurvature 0.6;", curve)
-              - resultant("referenceCurvature none;", curve)
-            ).cwiseAbs().maxCoeff(), 1e-9
-        );
-        check
-        (
-            "bending without a reference, at least 0.1",
-            0.1/resultant("referenceCurvature none;", initial)
-               .cwiseAbs().maxCoeff(), 1
+            "derivative of the bending force, relative",
+            (jacobian*stacked(dx) - stacked(slope)).norm()/slope.norm(),
+            1e-6
         );
     }
 
-    // A normal force cos(m theta) on a circle of radius R in one viscosity
-    // moves it by R m/(4 mu (m^2 - 1)) cos(m theta) n (plus a part along t)
+    // None at the initial shape where that is the reference; elsewhere the
+    // part of the initial curvature is the difference, and a curvature that
+    // is the same everywhere has no force
+    const auto resultant =
+        [&](const char* reference, const closedSurface& shape)
+    {
+        nodalVectors result = nodalVectors::Zero(basis.size(), 2);
+        model(reference)->addResultant(shape, result);
+        return result;
+    };
+    const nodalScalars kappa = curve.ds(initial.curvature());
+    check
+    (
+        "bending of the initial shape as reference",
+        resultant("", initial).cwiseAbs().maxCoeff(), 1e-9
+    );
+    check
+    (
+        "bending without a reference less that from the initial shape",
+        (
+            resultant("referenceCurvature none;", curve)
+          - resultant("referenceCurvature initial;", curve)
+          - scaled(0.7*kappa, curve.normal())
+        ).cwiseAbs().maxCoeff(), 1e-9
+    );
+    check
+    (
+        "bending by a uniform reference less that without one",
+        (
+            resultant("referenceCurvature 0.6;", curve)
+          - resultant("referenceCurvature none;", curve)
+        ).cwiseAbs().maxCoeff(), 1e-9
+    );
+    check
+    (
+        "bending without a reference, at least 0.1",
+        0.1/resultant("referenceCurvature none;", initial)
+           .cwiseAbs().maxCoeff(), 1
+    );
+}
+
+
+//- A normal force cos(m theta) on a circle of radius R in one viscosity
+//  moves it by R m/(4 mu (m^2 - 1)) cos(m theta) n (plus a part along t)
+static void testResponse()
+{
+    const curveBasis basis(41);
     const closedSurface circle(basis, ellipse(basis, 2, 2));
     const nodalMatrix S = freeSpaceResponse::singleLayer(circle, 0.5);
     const nodalMatrix K = freeSpaceResponse::adjointDoubleLayer(circle);
@@ -297,8 +304,12 @@ int main()
             (K*ns - 0.5*ns).cwiseAbs().maxCoeff(), 1e-10
         );
     }
+}
 
-    // Integral over the parameter
+
+//- Integral over the parameter
+static void testIntegral()
+{
     for (const label n : {16, 17})
     {
         const curveBasis nodes(n);
@@ -316,81 +327,102 @@ int main()
             (nodes.integrated(f) - exact).cwiseAbs().maxCoeff(), 1e-13
         );
     }
+}
 
-    // Points of a drop move with it, and stand still as it turns
+
+//- Points of a drop move with it, and stand still as it turns
+static void testCarried()
+{
+    const curveBasis basis(41);
+    const closedSurface body(basis, ellipse(basis, 2, 1));
+    const closedSurface circle(basis, ellipse(basis, 2, 2));
+    const nodalScalars even = nodalScalars::Ones(basis.size());
+    nodalVectors U(basis.size(), 2);
+    U.col(0).setConstant(0.7);
+    U.col(1).setConstant(-0.3);
+    check
+    (
+        "points of a drop carried",
+        membraneMotion::excess(body, even, U, 1).cwiseAbs().maxCoeff(),
+        1e-12
+    );
+    U.col(0) = -circle.nodes().col(1);
+    U.col(1) = circle.nodes().col(0).array() - 3;
+    check
+    (
+        "points of a drop turning",
+        (
+            membraneMotion::excess(circle, even, U, 1).array() + 2
+        ).abs().maxCoeff(),
+        1e-12
+    );
+
+    // In a flow that stretches it their stretch stays uniform
+    U.col(0) = body.nodes().col(0).array() - 3;
+    U.col(1) = -body.nodes().col(1);
+    const nodalVectors V =
+        U
+      + scaled
+        (
+            membraneMotion::excess(body, body.metric(), U, 1),
+            body.tangent()
+        );
+    const nodalScalars rate =
+        dot(body.ds(V), body.tangent());
+    check
+    (
+        "stretch of a drop stays uniform",
+        rate.maxCoeff() - rate.minCoeff(), 2e-3
+    );
+}
+
+
+//- Round an ellipse that flow goes along, uneven points become even and
+//  stand still; meanwhile the fluid goes round it twice
+static void testEven()
+{
+    const curveBasis basis(41);
+    const nodalScalars even = nodalScalars::Ones(basis.size());
+    nodalVectors x = ellipse(basis, 1.4, 1);
+    nodalScalars pace;
+    for (label step = 0; step < 300; ++step)
     {
-        const closedSurface body(basis, ellipse(basis, 2, 1));
-        const nodalScalars even = nodalScalars::Ones(basis.size());
+        const closedSurface now(basis, x);
         nodalVectors U(basis.size(), 2);
-        U.col(0).setConstant(0.7);
-        U.col(1).setConstant(-0.3);
-        check
-        (
-            "points of a drop carried",
-            membraneMotion::excess(body, even, U, 1).cwiseAbs().maxCoeff(),
-            1e-12
-        );
-        U.col(0) = -circle.nodes().col(1);
-        U.col(1) = circle.nodes().col(0).array() - 3;
-        check
-        (
-            "points of a drop turning",
-            (
-                membraneMotion::excess(circle, even, U, 1).array() + 2
-            ).abs().maxCoeff(),
-            1e-12
-        );
-
-        // In a flow that stretches it their stretch stays uniform
-        U.col(0) = body.nodes().col(0).array() - 3;
-        U.col(1) = -body.nodes().col(1);
-        const nodalVectors V =
-            U
-          + scaled
-            (
-                membraneMotion::excess(body, body.metric(), U, 1),
-                body.tangent()
-            );
-        const nodalScalars rate =
-            dot(body.ds(V), body.tangent());
-        check
-        (
-            "stretch of a drop stays uniform",
-            rate.maxCoeff() - rate.minCoeff(), 2e-3
-        );
-    }
-
-    // Round an ellipse that flow goes along, uneven points become even and
-    // stand still; meanwhile the fluid goes round it twice
-    {
-        const nodalScalars even = nodalScalars::Ones(basis.size());
-        nodalVectors x = ellipse(basis, 1.4, 1);
-        nodalScalars pace;
-        for (label step = 0; step < 300; ++step)
+        U.col(0) = -1.4*x.col(1);
+        U.col(1) = ((x.col(0).array() - 3)/1.4).matrix();
+        const nodalScalars w = membraneMotion::excess(now, even, U, 5);
+        pace = dot(U, now.tangent()) + w;
+        x += 0.05*(U + scaled(w, now.tangent()));
+        // Only the motion along the ellipse
+        for (label i = 0; i < basis.size(); ++i)
         {
-            const closedSurface now(basis, x);
-            nodalVectors U(basis.size(), 2);
-            U.col(0) = -1.4*x.col(1);
-            U.col(1) = ((x.col(0).array() - 3)/1.4).matrix();
-            const nodalScalars w = membraneMotion::excess(now, even, U, 5);
-            pace = dot(U, now.tangent()) + w;
-            x += 0.05*(U + scaled(w, now.tangent()));
-            // Only the motion along the ellipse
-            for (label i = 0; i < basis.size(); ++i)
-            {
-                const vector2 d(x(i, 0) - 3, x(i, 1));
-                const scalar off = std::hypot(d(0)/1.4, d(1));
-                x.row(i) << 3 + d(0)/off, d(1)/off;
-            }
+            const vector2 d(x(i, 0) - 3, x(i, 1));
+            const scalar off = std::hypot(d(0)/1.4, d(1));
+            x.row(i) << 3 + d(0)/off, d(1)/off;
         }
-        const nodalScalars g = closedSurface(basis, x).metric();
-        check
-        (
-            "points become even",
-            g.maxCoeff()/g.minCoeff() - 1, 1e-4
-        );
-        check("points stand still", pace.cwiseAbs().maxCoeff(), 1e-3);
     }
+    const nodalScalars g = closedSurface(basis, x).metric();
+    check
+    (
+        "points become even",
+        g.maxCoeff()/g.minCoeff() - 1, 1e-4
+    );
+    check("points stand still", pace.cwiseAbs().maxCoeff(), 1e-3);
+}
 
-    return failed;
+
+int main()
+{
+    testEllipse();
+    testFeet();
+    testSearch();
+    testTension();
+    testBending();
+    testResponse();
+    testIntegral();
+    testCarried();
+    testEven();
+
+    return nFailed();
 }

@@ -254,7 +254,7 @@ int main()
     testGridDerivatives();
     testEllipsoid();
     time();
-    return failed;
+    return nFailed();
 }
 
 

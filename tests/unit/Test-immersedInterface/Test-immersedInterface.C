@@ -210,6 +210,109 @@ static void writeResiduals
 }
 
 
+//- The exact velocity at the boundary, without the net flux of its samples
+static void setBoundaryValues
+(
+    const modeFlow& exact,
+    const vector2& centre,
+    const solvedDirections& directions,
+    volVectorField& U
+)
+{
+    vector2 u;
+    scalar q;
+    forAll(U.boundaryField(), patchi)
+    {
+        fvPatchVectorField& Up = U.boundaryFieldRef()[patchi];
+        forAll(Up, i)
+        {
+            exact.at(directions(Up.patch().Cf()[i]) - centre, u, q);
+            Up[i] = directions.toVector(u);
+        }
+    }
+    scalar flux = 0;
+    scalar area = 0;
+    forAll(U.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& Up = U.boundaryField()[patchi];
+        flux += gSum(Up & Up.patch().Sf());
+        area += Up.size() ? gSum(Up.patch().magSf()) : 0;
+    }
+    forAll(U.boundaryField(), patchi)
+    {
+        fvPatchVectorField& Up = U.boundaryFieldRef()[patchi];
+        Up == Up - flux/area*Up.patch().nf();
+    }
+}
+
+
+//- Largest error of the velocity, and of the pressure the largest and the root
+//  mean square
+static void writeErrors
+(
+    const modeFlow& exact,
+    const vector2& centre,
+    const solvedDirections& directions,
+    const volVectorField& U,
+    const volScalarField& p
+)
+{
+    const fvMesh& mesh = U.mesh();
+    vector2 u;
+    scalar q;
+    scalarField dp(mesh.nCells());
+    scalar maxU = 0;
+    scalar outsideP = 0;
+    scalar inside = 0;
+    forAll(dp, celli)
+    {
+        exact.at(directions(mesh.C()[celli]) - centre, u, q);
+        maxU = max(maxU, (directions(U[celli]) - u).cwiseAbs().maxCoeff());
+        dp[celli] = p[celli] - q;
+    }
+
+    // The level of the real pressure is free: p/lambda inside
+    forAll(dp, celli)
+    {
+        const bool in = ((directions(mesh.C()[celli]) - centre).norm() < 1);
+        inside += in;
+        outsideP += in ? 0 : dp[celli];
+    }
+    const scalar level = outsideP/(dp.size() - inside);
+    forAll(dp, celli)
+    {
+        const bool in = ((directions(mesh.C()[celli]) - centre).norm() < 1);
+        dp[celli] -= (in ? level/exact.lambda : level);
+    }
+
+    Info<< maxU << ' ' << max(mag(dp)) << ' '
+        << Foam::sqrt(average(sqr(dp)));
+}
+
+
+//- Largest error of the level set near the circle, and of all
+static void writeDistances
+(
+    const vector2& centre,
+    const solvedDirections& directions,
+    const immersedInterface& interface
+)
+{
+    const volScalarField distance(interface.levelSet().whole());
+    scalar nearD = 0;
+    scalar maxD = 0;
+    forAll(distance, celli)
+    {
+        const scalar r = (directions(distance.mesh().C()[celli]) - centre).norm();
+        const scalar error = mag(distance[celli] - (r - 1));
+        maxD = max(maxD, error);
+        nearD = max(nearD, mag(r - 1) < 0.5 ? error : 0);
+    }
+
+    Info<< nearD << ' ' << maxD;
+}
+
+
 int main(int argc, char *argv[])
 {
     argList::addArgument("viscosityRatio");
@@ -233,31 +336,7 @@ int main(int argc, char *argv[])
     const vector2 centre(0.013, 0.027);
     const solvedDirections directions(mesh);
 
-    vector2 u;
-    scalar q;
-    forAll(U.boundaryField(), patchi)
-    {
-        fvPatchVectorField& Up = U.boundaryFieldRef()[patchi];
-        forAll(Up, i)
-        {
-            exact.at(directions(Up.patch().Cf()[i]) - centre, u, q);
-            Up[i] = directions.toVector(u);
-        }
-    }
-    // Net flux of the sampled boundary values, spread evenly
-    scalar flux = 0;
-    scalar area = 0;
-    forAll(U.boundaryField(), patchi)
-    {
-        const fvPatchVectorField& Up = U.boundaryField()[patchi];
-        flux += gSum(Up & Up.patch().Sf());
-        area += Up.size() ? gSum(Up.patch().magSf()) : 0;
-    }
-    forAll(U.boundaryField(), patchi)
-    {
-        fvPatchVectorField& Up = U.boundaryFieldRef()[patchi];
-        Up == Up - flux/area*Up.patch().nf();
-    }
+    setBoundaryValues(exact, centre, directions, U);
 
     const scalar h = Foam::sqrt(gMax(mesh.V().field())/directions.sector());
     const curveBasis basis(2*label(constant::mathematical::pi/h) + 1);
@@ -359,47 +438,13 @@ int main(int argc, char *argv[])
         writeResiduals(exact, centre, directions, interface, U, p);
     }
 
-    scalarField dp(mesh.nCells());
-    scalar maxU = 0;
-    scalar outsideP = 0;
-    scalar inside = 0;
-    forAll(dp, celli)
-    {
-        exact.at(directions(mesh.C()[celli]) - centre, u, q);
-        maxU = max(maxU, (directions(U[celli]) - u).cwiseAbs().maxCoeff());
-        dp[celli] = p[celli] - q;
-    }
-
-    // The level of the real pressure is free: p/lambda inside
-    forAll(dp, celli)
-    {
-        const bool in = ((directions(mesh.C()[celli]) - centre).norm() < 1);
-        inside += in;
-        outsideP += in ? 0 : dp[celli];
-    }
-    const scalar level = outsideP/(dp.size() - inside);
-    forAll(dp, celli)
-    {
-        const bool in = ((directions(mesh.C()[celli]) - centre).norm() < 1);
-        dp[celli] -= (in ? level/lambda : level);
-    }
-
-    const volScalarField distance(interface.levelSet().whole());
-    scalar nearD = 0;
-    scalar maxD = 0;
-    forAll(distance, celli)
-    {
-        const scalar r = (directions(mesh.C()[celli]) - centre).norm();
-        const scalar error = mag(distance[celli] - (r - 1));
-        maxD = max(maxD, error);
-        nearD = max(nearD, mag(r - 1) < 0.5 ? error : 0);
-    }
-
-    Info<< "norms " << maxU << ' ' << max(mag(dp)) << ' '
-        << Foam::sqrt(average(sqr(dp))) << ' '
-        << gMax(mag((fvc::div(phi) - sources.divergence)().primitiveField())) << ' '
-        << nearD << ' ' << maxD << ' ' << iterations << ' ' << imbalance
-        << ' ' << net << endl;
+    Info<< "norms ";
+    writeErrors(exact, centre, directions, U, p);
+    Info<< ' '
+        << gMax(mag((fvc::div(phi) - sources.divergence)().primitiveField()))
+        << ' ';
+    writeDistances(centre, directions, interface);
+    Info<< ' ' << iterations << ' ' << imbalance << ' ' << net << endl;
 
     return 0;
 }

@@ -343,7 +343,7 @@ int main()
 
     time(60);
     time(100);
-    return failed;
+    return nFailed();
 }
 
 

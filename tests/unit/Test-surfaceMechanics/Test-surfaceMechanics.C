@@ -61,7 +61,7 @@ int main()
     }
     testViscousCompression();
 
-    return failed;
+    return nFailed();
 }
 
 

@@ -157,7 +157,7 @@ int main()
     {
         time(p);
     }
-    return failed;
+    return nFailed();
 }
 
 
