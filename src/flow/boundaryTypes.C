@@ -86,10 +86,11 @@ static void refuse
     const char* permitted
 )
 {
-    const IOobject& field = pf.internalField();
+    // The pressure that is solved for may be a scaled copy of p
+    const char* name = pTraits<Type>::rank ? "U" : "p";
     FatalErrorInFunction
         << "Boundary condition " << pf.type() << " of patch "
-        << pf.patch().name() << " in " << field.objectPath() << ": "
+        << pf.patch().name() << " in " << pf.internalField().path()/name << ": "
         << why.c_str() << nl << "    Permitted: " << permitted
         << exit(FatalError);
 }
