@@ -28,6 +28,40 @@ namespace shapes
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+namespace shapes
+{
+
+//- The entry semiAxes, which must be two lengths
+static Pair<scalar> readSemiAxes(const dictionary& dict)
+{
+    const scalarList a(input::get<scalarList>(dict, "semiAxes"));
+    bool good = (a.size() == 2);
+    for (const scalar length : a)
+    {
+        good = good && length >= input::smallest && length <= input::largest;
+    }
+    if (!good)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry semiAxes is " << flatOutput(a)
+            << "; permitted: two lengths, both must be positive, "
+            << input::smallest << " to " << input::largest << " [m]"
+            << exit(FatalIOError);
+    }
+    return Pair<scalar>(a[0], a[1]);
+}
+
+} // End namespace shapes
+} // End namespace capsule
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::shapes::ellipse::ellipse
@@ -37,19 +71,8 @@ Foam::capsule::shapes::ellipse::ellipse
 )
 :
     curveShape(dict, directions, {"semiAxes"}),
-    semiAxes_(input::get<Pair<scalar>>(dict, "semiAxes"))
-{
-    for (const scalar length : semiAxes_)
-    {
-        if (!(length >= input::smallest && length <= input::largest))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry semiAxes is " << semiAxes_
-                << "; both must be positive, " << input::smallest << " to "
-                << input::largest << " [m]" << exit(FatalIOError);
-        }
-    }
-}
+    semiAxes_(readSemiAxes(dict))
+{}
 
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //

@@ -26,6 +26,40 @@ namespace shapes
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+namespace shapes
+{
+
+//- The entry semiAxes, which must be three lengths
+static vector readSemiAxes(const dictionary& dict)
+{
+    const scalarList a(input::get<scalarList>(dict, "semiAxes"));
+    bool good = (a.size() == 3);
+    for (const scalar length : a)
+    {
+        good = good && length >= input::smallest && length <= input::largest;
+    }
+    if (!good)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry semiAxes is " << flatOutput(a)
+            << "; permitted: three lengths, all three must be positive, "
+            << input::smallest << " to " << input::largest << " [m]"
+            << exit(FatalIOError);
+    }
+    return vector(a[0], a[1], a[2]);
+}
+
+} // End namespace shapes
+} // End namespace capsule
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::shapes::ellipsoid::ellipsoid
@@ -35,22 +69,8 @@ Foam::capsule::shapes::ellipsoid::ellipsoid
 )
 :
     spatialShape(dict, directions, {"semiAxes"}),
-    semiAxes_(input::get<vector>(dict, "semiAxes"))
-{
-    for (direction d = 0; d < 3; ++d)
-    {
-        if
-        (
-            !(semiAxes_[d] >= input::smallest && semiAxes_[d] <= input::largest)
-        )
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry semiAxes is " << semiAxes_
-                << "; all three must be positive, " << input::smallest
-                << " to " << input::largest << " [m]" << exit(FatalIOError);
-        }
-    }
-}
+    semiAxes_(readSemiAxes(dict))
+{}
 
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
