@@ -350,7 +350,9 @@ bool Foam::functionObjects::energyBalance::write()
         WarningInFunction
             << "Power of " << imbalance
             << unit() << " is out of balance, but "
-            << fed << " feed the flow: the mesh does not resolve it" << endl;
+            << fed << " feed the flow: the mesh does not resolve it, or a"
+            << " boundary condition follows the flow, which still changes"
+            << endl;
     }
     return true;
 }
