@@ -72,9 +72,9 @@ static const char* const velocities =
     " pressureInletVelocity";
 
 static const char* const pressures =
-    "zeroGradient, a given gradient; and at a boundary whose velocity is not given fixedValue and"
-    " those derived from it (uniformFixedValue, exprFixedValue, ...),"
-    " totalPressure, uniformTotalPressure";
+    "zeroGradient, a given gradient; and at a boundary whose velocity is not"
+    " given fixedValue and those derived from it (uniformFixedValue,"
+    " exprFixedValue, ...), totalPressure, uniformTotalPressure";
 
 
 //- Stop at the condition of a patch
