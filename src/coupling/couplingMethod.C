@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "couplingMethod.H"
+#include "familyEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -24,32 +25,23 @@ namespace capsule
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::capsule::couplingMethod::couplingMethod
-(
-    const dictionary& dict,
-    const wordList& own
-)
+Foam::capsule::couplingMethod::couplingMethod(const dictionary& dict)
 :
     conserveArea_(input::getOrDefault<bool>(dict, "conserveArea", true))
 {
-    input::permit
+    familyEntries<couplingMethod>::permit
     (
         dict,
-        input::joined
-        (
-            {
-                "type",
-                "interface",
-                "stressTolerance",
-                "displacementTolerance",
-                "maxIter",
-                "conserveArea",
-                "failedStep",
-                "maxCuts",
-                "relaxation"
-            },
-            own
-        )
+        {
+            "type",
+            "interface",
+            "stressTolerance",
+            "displacementTolerance",
+            "maxIter",
+            "conserveArea",
+            "failedStep",
+            "maxCuts"
+        }
     );
 }
 

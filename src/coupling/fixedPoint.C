@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "fixedPoint.H"
+#include "familyEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -21,6 +22,7 @@ namespace couplingMethods
 {
     defineTypeNameAndDebug(fixedPoint, 0);
     addToRunTimeSelectionTable(couplingMethod, fixedPoint, dictionary);
+    static const familyEntries<couplingMethod> entries({"relaxation"});
 }
 }
 }

@@ -9,7 +9,22 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "GCR.H"
+#include "familyEntries.H"
 #include "boundaryTypes.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+    static const familyEntries<flowSolver> entries
+    (
+        {"tolerance", "maxIter", "directions"}
+    );
+}
+}
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -174,11 +189,10 @@ Foam::capsule::GCR::GCR
     volVectorField& U,
     volScalarField& p,
     surfaceScalarField& phi,
-    const dimensionedScalar& rho,
-    const wordList& own
+    const dimensionedScalar& rho
 )
 :
-    flowSolver(dict, U, p, phi, rho, own),
+    flowSolver(dict, U, p, phi, rho),
     forceResponsesKnown_(false)
 {
     GCR::readOwn(dict);

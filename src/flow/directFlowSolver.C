@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "directFlowSolver.H"
+#include "familyEntries.H"
 #include "profiling.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -20,6 +21,7 @@ namespace capsule
 {
     defineTypeNameAndDebug(directFlowSolver, 0);
     addToRunTimeSelectionTable(flowSolver, directFlowSolver, dictionary);
+    static const familyEntries<flowSolver> entries({"refactor"});
 }
 }
 

@@ -9,7 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "flowSolver.H"
-#include "input.H"
+#include "familyEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -32,29 +32,12 @@ namespace Foam
 namespace capsule
 {
 
-//- Stop at entries other than those of the library's solvers and own ones
-static void permit(const dictionary& dict, const wordList& own)
+//- Stop at entries other than those of all solvers and of the pressure's level
+static void permit(const dictionary& dict)
 {
-    input::permit
+    familyEntries<flowSolver>::permit
     (
-        dict,
-        input::joined
-        (
-            {
-                "solver",
-                "tolerance",
-                "maxIter",
-                "directions",
-                "refactor",
-                "nCorrectors",
-                "nNonOrthogonalCorrectors",
-                "momentumPredictor",
-                "pRefCell",
-                "pRefPoint",
-                "pRefValue"
-            },
-            own
-        )
+        dict, {"solver", "pRefCell", "pRefPoint", "pRefValue"}
     );
 }
 
@@ -70,17 +53,15 @@ Foam::capsule::flowSolver::flowSolver
     volVectorField& U,
     volScalarField& p,
     surfaceScalarField& phi,
-    const dimensionedScalar& rho,
-    const wordList& own
+    const dimensionedScalar& rho
 )
 :
     flowEquations(dict, U, p, phi),
     rho_(rho),
-    own_(own),
     atStart_(dict),
     digest_(dict.digest())
 {
-    permit(dict, own);
+    permit(dict);
 }
 
 
@@ -138,7 +119,7 @@ void Foam::capsule::flowSolver::readIfModified()
             input::subDict(mesh_.solutionDict(), "capsuleFoam"),
             "flow"
         );
-        permit(flow, own_);
+        permit(flow);
         for (const char* e : {"solver", "pRefCell", "pRefPoint", "pRefValue"})
         {
             const entry* now = flow.findEntry(e);

@@ -27,14 +27,21 @@ namespace capsule
     defineTypeNameAndDebug(fractionalStep, 0);
     addToRunTimeSelectionTable(flowSolver, fractionalStep, dictionary);
 
-    //- Solve without a line in the log for each of the many sweeps
+    //- Solve without a line in the log for each of the many sweeps. Also with
+    //  tolerance 0 a component that is zero, as that around the axis of a wedge,
+    //  is solved as it is: no relTol of a residual of zero is ever reached
     template<class Type>
     static void solveQuietly
     (
         fvMatrix<Type>& equation,
-        const dictionary& controls
+        dictionary controls
     )
     {
+        scalar tolerance;
+        if (controls.readIfPresent("tolerance", tolerance))
+        {
+            controls.set("tolerance", max(tolerance, ROOTVSMALL));
+        }
         const int said = SolverPerformance<Type>::debug;
         SolverPerformance<Type>::debug = 0;
         equation.solve(controls);

@@ -9,7 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pisoStep.H"
-#include "input.H"
+#include "familyEntries.H"
 #include "fvm.H"
 #include "fvc.H"
 #include "adjustPhi.H"
@@ -25,6 +25,10 @@ namespace capsule
 {
     defineTypeNameAndDebug(pisoStep, 0);
     addToRunTimeSelectionTable(flowSolver, pisoStep, dictionary);
+    static const familyEntries<flowSolver> entries
+    (
+        {"nCorrectors", "nNonOrthogonalCorrectors", "momentumPredictor"}
+    );
 }
 }
 

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "Helfrich.H"
+#include "familyEntries.H"
 #include "resultants.H"
 #include "dimensionedScalar.H"
 #include "addToRunTimeSelectionTable.H"
@@ -23,6 +24,10 @@ namespace bendingModels
 {
     defineTypeNameAndDebug(Helfrich, 0);
     addToRunTimeSelectionTable(bendingModel, Helfrich, dictionary);
+    static const familyEntries<bendingModel> entries
+    (
+        {"bendingModulus", "referenceCurvature"}
+    );
 }
 }
 }

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "Hookean.H"
+#include "familyEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -21,6 +22,10 @@ namespace elasticLaws
 {
     defineTypeNameAndDebug(Hookean, 0);
     addToRunTimeSelectionTable(elasticLaw, Hookean, dictionary);
+    static const familyEntries<elasticLaw> entries
+    (
+        {"elasticModulus", "poissonRatio"}
+    );
 }
 }
 }

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "Skalak.H"
+#include "familyEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -21,6 +22,7 @@ namespace elasticLaws
 {
     defineTypeNameAndDebug(Skalak, 0);
     addToRunTimeSelectionTable(elasticLaw, Skalak, dictionary);
+    static const familyEntries<elasticLaw> entries({"shearModulus", "C"});
 }
 }
 }

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "elasticLaw.H"
+#include "familyEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -24,24 +25,9 @@ namespace capsule
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::capsule::elasticLaw::elasticLaw
-(
-    const dictionary& dict,
-    const wordList& own
-)
+Foam::capsule::elasticLaw::elasticLaw(const dictionary& dict)
 {
-    input::permit
-    (
-        dict,
-        input::joined
-        (
-            {
-                "type", "shearModulus", "form", "C", "elasticModulus",
-                "poissonRatio", "surfaceTension"
-            },
-            own
-        )
-    );
+    familyEntries<elasticLaw>::permit(dict, {"type"});
 }
 
 

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "inextensible.H"
+#include "familyEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -21,6 +22,10 @@ namespace elasticLaws
 {
     defineTypeNameAndDebug(inextensible, 0);
     addToRunTimeSelectionTable(elasticLaw, inextensible, dictionary);
+    static const familyEntries<elasticLaw> entries
+    (
+        {"areaModulus", "shearModulus", "largestStrain"}
+    );
 }
 }
 }
@@ -34,7 +39,7 @@ Foam::capsule::elasticLaws::inextensible::inextensible
     const bool
 )
 :
-    elasticLaw(dict, {"areaModulus", "largestStrain"}),
+    elasticLaw(dict),
     areaModulus_(modulus(dict, "areaModulus")),
     shearModulus_
     (

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "neoHookean.H"
+#include "familyEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -21,6 +22,7 @@ namespace elasticLaws
 {
     defineTypeNameAndDebug(neoHookean, 0);
     addToRunTimeSelectionTable(elasticLaw, neoHookean, dictionary);
+    static const familyEntries<elasticLaw> entries({"shearModulus", "form"});
 }
 }
 }

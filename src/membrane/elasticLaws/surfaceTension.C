@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceTension.H"
+#include "familyEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -21,6 +22,7 @@ namespace elasticLaws
 {
     defineTypeNameAndDebug(surfaceTension, 0);
     addToRunTimeSelectionTable(elasticLaw, surfaceTension, dictionary);
+    static const familyEntries<elasticLaw> entries({"surfaceTension"});
 }
 }
 }

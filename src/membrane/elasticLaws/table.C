@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "table.H"
+#include "familyEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -21,6 +22,7 @@ namespace elasticLaws
 {
     defineTypeNameAndDebug(table, 0);
     addToRunTimeSelectionTable(elasticLaw, table, dictionary);
+    static const familyEntries<elasticLaw> entries({"tension"});
 }
 }
 }
@@ -66,7 +68,7 @@ Foam::capsule::nodalScalars Foam::capsule::elasticLaws::table::work
 
 Foam::capsule::elasticLaws::table::table(const dictionary& dict, const bool)
 :
-    elasticLaw(dict, {"tension"}),
+    elasticLaw(dict),
     tension_
     (
         input::guarded

@@ -36,9 +36,8 @@ import os
 import sys
 
 HEADER = 'FoamFile { version 2.0; format ascii; class %s; object %s; }\n'
-# U of GAMG: the component around the axis is zero, so relTol is never reached, and each sweep would take 1000 cycles
 LINEAR = {
-    'GAMG': ('solver GAMG; smoother symGaussSeidel; maxIter 5;', 'solver GAMG; smoother GaussSeidel;'),
+    'GAMG': ('solver GAMG; smoother symGaussSeidel;', 'solver GAMG; smoother GaussSeidel;'),
     'Krylov': ('solver PBiCGStab; preconditioner diagonal;', 'solver PCG; preconditioner DIC;')}
 DEFAULTS = {
     'axis': 'xy', 'shift': '0,0,0', 'half': '0.01', 'cells': '16', 'length': '2', 'ends': 'open',
