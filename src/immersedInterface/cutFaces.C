@@ -139,21 +139,6 @@ void Foam::capsule::cutFaces::add(const label facei)
 }
 
 
-Foam::capsule::jumpConditions::footPoints Foam::capsule::cutFaces::footPoints
-(
-    const UList<surfaceParameter>& feet,
-    const UList<scalar>& depths
-) const
-{
-    return jumpConditions::footPoints
-    (
-        levelSet_.surface(),
-        feet,
-        Eigen::Map<const nodalScalars>(depths.cdata(), depths.size())
-    );
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::cutFaces::cutFaces(const membraneLevelSet& levelSet)
@@ -211,7 +196,7 @@ Foam::capsule::jumpConditions::footPoints Foam::capsule::cutFaces::cells() const
 }
 
 
-Foam::capsule::jumpConditions::footPoints
+Foam::capsule::jumpConditions::orientedFootPoints
 Foam::capsule::cutFaces::ownersNeighbours() const
 {
     const label nBand = levelSet_.cells().size();
@@ -227,7 +212,7 @@ Foam::capsule::cutFaces::ownersNeighbours() const
             across ? acrossDepths_[n - nBand] : levelSet_.distance()(n)
         );
     }
-    return footPoints(feet, depths);
+    return footPoints<jumpConditions::orientedFootPoints>(feet, depths);
 }
 
 

@@ -57,31 +57,32 @@ void Foam::capsule::immersedInterface::setFaces()
     const fvMesh& mesh = levelSet_.mesh();
     const solvedDirections& directions = levelSet_.directions();
     const label n = faces_.farSideLinks().size();
-    normal_.resize(n, directions.size());
-    across_.resize(n, directions.size());
-    for (label k = 0; k < directions.size() - 1; ++k)
-    {
-        along_[k].resize(n, directions.size());
-    }
-    weight_.resize(n);
+    const label d = directions.size();
+    normal_.resize(n, d);
+    interpolationTensor_.resize(n, d*d);
     for (label i = 0; i < n; ++i)
     {
         const cutFaces::cutLink& v = faces_.links()[faces_.farSideLinks()[i]];
         const solvedVector S = directions(cutFaces::value(mesh.Sf(), v.face));
         normal_.row(i) = S.normalized();
-        across_.row(i) = faces_.acrossFace(v.face);
+        const solvedVector across = faces_.acrossFace(v.face);
+        solvedTensor M =
+            0.5*v.weight*(1 - v.weight)*across.transpose()*across;
+
         const nodalVectors corners =
             directions.corners(mesh.points(), mesh.faces()[v.face]);
-        for (label k = 0; k < directions.size() - 1; ++k)
+        for (label k = 0; k < d - 1; ++k)
         {
-            along_[k].row(i) = corners.row(k + 1) - corners.row(k);
+            solvedVector along = corners.row(k + 1) - corners.row(k);
+            if (directions.axisymmetric())
+            {
+                const scalar r = directions.radius(corners.colwise().mean());
+                along *= Foam::sqrt(1 - sqr(along(1)/r)/12);
+            }
+            M -= along.transpose()*along/24;
         }
-        if (directions.axisymmetric())
-        {
-            const scalar r = directions.radius(corners.colwise().mean());
-            along_[0].row(i) *= Foam::sqrt(1 - sqr(along_[0](i, 1)/r)/12);
-        }
-        weight_(i) = 0.5*v.weight*(1 - v.weight);
+        interpolationTensor_.row(i) =
+            Eigen::Map<const nodalScalars>(M.data(), d*d).transpose();
     }
 }
 
@@ -133,18 +134,13 @@ Foam::vector Foam::capsule::immersedInterface::jumpU(const label celli) const
 
 void Foam::capsule::immersedInterface::setJumps(const jumpConditions& jumps)
 {
-    U_ = jumps.velocity(cells_);
-    p_ = jumps.pressure(cells_);
+    jumps.values(cells_, U_, p_);
     gradp_ = jumps.pressureGradient(owners_);
     farSideU_ = jumps.velocity(farSideParts_);
-
-    nodalVectors error =
-        scaled(weight_, jumps.velocityCurvature(centres_, across_));
-    for (label k = 0; k < levelSet_.directions().size() - 1; ++k)
-    {
-        error -= jumps.velocityCurvature(centres_, along_[k])/24;
-    }
-    interpolationError_ = dot(normal_, error);
+    interpolationError_ = dot
+    (
+        normal_, jumps.velocityCurvature(centres_, interpolationTensor_)
+    );
 }
 
 

@@ -10,6 +10,24 @@ License
 
 #include "jumpConditions.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+
+//- Velocity at distances d, of [u_n] and [u_nn] beside each other
+static nodalVectors extended(const nodalScalars& d, const nodalMatrix& u)
+{
+    const label n = u.cols()/2;
+    return scaled(d, u.leftCols(n)) + scaled(d.cwiseAbs2()/2, u.rightCols(n));
+}
+
+} // End namespace capsule
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::jumpConditions::footPoints::footPoints
@@ -20,8 +38,19 @@ Foam::capsule::jumpConditions::footPoints::footPoints
 )
 :
     functions(surface.basis().functions(feet)),
-    normal(feet.size(), surface.nComponents()),
     distance(d)
+{}
+
+
+Foam::capsule::jumpConditions::orientedFootPoints::orientedFootPoints
+(
+    const closedSurface& surface,
+    const UList<surfaceParameter>& feet,
+    const nodalScalars& d
+)
+:
+    footPoints(surface, feet, d),
+    normal(feet.size(), surface.nComponents())
 {
     forAll(feet, i)
     {
@@ -56,27 +85,22 @@ Foam::capsule::jumpConditions::jumpConditions
     const nodalScalars p2 =
         c - surface.divergence(slope0) - H.cwiseProduct(p1);
 
-    const label N = surface.size();
-    const auto coefficients = [&](const nodalMatrix& terms)
-    {
-        return nodalMatrix(surface.basis().analysis()*terms);
-    };
+    const label nValues = 2*d_ + 3;
+    const label nTensor = d_*d_;
+    nodalMatrix terms(surface.size(), nValues + 2*d_ + 2*nTensor);
+    terms <<
+        u1, u2, p0, p1, p2, slope0, slope1, surface.gradients(u1), K;
+    const nodalMatrix coefficients = surface.basis().analysis()*terms;
 
-    nodalMatrix terms(N, 2*d_);
-    terms << u1, u2;
-    velocity_ = coefficients(terms);
-
-    terms.resize(N, 3);
-    terms << p0, p1, p2;
-    pressure_ = coefficients(terms);
-
-    terms.resize(N, 2 + 2*d_ + d_*d_);
-    terms << p1, p2, slope0, slope1, K;
-    pressureGradient_ = coefficients(terms);
-
-    terms.resize(N, 2*d_ + 2*d_*d_);
-    terms << u1, u2, surface.gradients(u1), K;
-    velocityCurvature_ = coefficients(terms);
+    values_ = coefficients.leftCols(nValues);
+    pressureGradient_.resize(coefficients.rows(), 2 + 2*d_ + nTensor);
+    pressureGradient_ <<
+        coefficients.middleCols(2*d_ + 1, 2 + 2*d_),
+        coefficients.rightCols(nTensor);
+    velocityCurvature_.resize(coefficients.rows(), 2*d_ + 2*nTensor);
+    velocityCurvature_ <<
+        coefficients.leftCols(2*d_),
+        coefficients.rightCols(2*nTensor);
 }
 
 
@@ -87,57 +111,64 @@ Foam::capsule::nodalVectors Foam::capsule::jumpConditions::velocity
     const footPoints& at
 ) const
 {
-    const nodalMatrix u = at.functions*velocity_;
+    const nodalMatrix u = at.functions*values_.leftCols(2*d_);
+    return extended(at.distance, u);
+}
+
+
+void Foam::capsule::jumpConditions::values
+(
+    const footPoints& at,
+    nodalVectors& velocity,
+    nodalScalars& pressure
+) const
+{
+    const nodalMatrix q = at.functions*values_;
     const nodalScalars& d = at.distance;
 
-    return scaled(d, u.leftCols(d_)) + scaled(d.cwiseAbs2()/2, u.rightCols(d_));
+    velocity = extended(d, q.leftCols(2*d_));
+    pressure =
+        q.col(2*d_)
+      + d.cwiseProduct
+        (
+            q.col(2*d_ + 1) + d.cwiseProduct(q.col(2*d_ + 2))/2
+        );
 }
 
 
 Foam::capsule::nodalVectors Foam::capsule::jumpConditions::velocityCurvature
 (
-    const footPoints& at,
-    const nodalVectors& d
+    const orientedFootPoints& at,
+    const nodalMatrix& M
 ) const
 {
     const nodalMatrix u = at.functions*velocityCurvature_;
-    const nodalScalars n = dot(d, at.normal);
+    const label nTensor = d_*d_;
 
-    nodalVectors result = scaled(n.cwiseAbs2(), u.middleCols(d_, d_));
+    // Along the normal, and by the curvature of the surface
+    nodalVectors Mn(nodalVectors::Zero(M.rows(), d_));
+    for (label ij = 0; ij < nTensor; ++ij)
+    {
+        Mn.col(ij/d_) += M.col(ij).cwiseProduct(at.normal.col(ij % d_));
+    }
+    const nodalScalars bend =
+        M.cwiseProduct(u.rightCols(nTensor)).rowwise().sum();
+    nodalVectors result =
+        scaled(dot(Mn, at.normal), u.middleCols(d_, d_))
+      + scaled(bend, u.leftCols(d_));
+
+    // By the derivatives along the surface of [u_n]
     for (label i = 0; i < d_; ++i)
     {
-        // The derivatives along the surface of [u_n], and its curvature
-        result += scaled
-        (
-            2*n.cwiseProduct(d.col(i)), u.middleCols((2 + i)*d_, d_)
-        );
-        for (label j = 0; j < d_; ++j)
-        {
-            const nodalScalars bend =
-                u.col(2*d_ + d_*d_ + i*d_ + j)
-               .cwiseProduct(d.col(i)).cwiseProduct(d.col(j));
-            result += scaled(bend, u.leftCols(d_));
-        }
+        result += scaled(2*Mn.col(i), u.middleCols((2 + i)*d_, d_));
     }
     return result;
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::jumpConditions::pressure
-(
-    const footPoints& at
-) const
-{
-    const nodalMatrix p = at.functions*pressure_;
-    const nodalScalars& d = at.distance;
-
-    return p.col(0) + d.cwiseProduct(p.col(1) + d.cwiseProduct(p.col(2))/2);
-}
-
-
 Foam::capsule::nodalVectors Foam::capsule::jumpConditions::pressureGradient
 (
-    const footPoints& at
+    const orientedFootPoints& at
 ) const
 {
     const nodalMatrix p = at.functions*pressureGradient_;
