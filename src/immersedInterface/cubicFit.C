@@ -76,8 +76,8 @@ Foam::capsule::fitRows Foam::capsule::cubicFit
     basis.array().colwise() *= weights.array();
     const label nMonomials = basis.cols();
 
-    // Gram-Schmidt, twice: orthonormal columns, and value and gradient at the
-    // origin of their polynomials, times the part of each that counts
+    // Gram-Schmidt: orthonormal columns, and value and gradient at the origin of
+    // their polynomials, times the part of each that counts
     nodalScalars q(n);
     ofMonomials origin(linear, nMonomials);
     ofMonomials counted(linear, nMonomials);
@@ -92,20 +92,20 @@ Foam::capsule::fitRows Foam::capsule::cubicFit
             atOrigin(j) = 1;
         }
         const scalar size = q.norm();
-        for (label pass = 0; pass < 2; ++pass)
+        scalar own = size;
+        scalar before;
+        do
         {
-            scalar along[20];
+            // Again where little is left: much of that is round-off
+            before = own;
             for (label k = 0; k < kept; ++k)
             {
-                along[k] = basis.col(k).dot(q);
+                const scalar along = basis.col(k).dot(q);
+                q -= along*basis.col(k);
+                atOrigin -= along*origin.col(k);
             }
-            for (label k = 0; k < kept; ++k)
-            {
-                q -= along[k]*basis.col(k);
-                atOrigin -= along[k]*origin.col(k);
-            }
-        }
-        const scalar own = q.norm();
+            own = q.norm();
+        } while (own < 0.1*before && own > 1e-6*size);
         if (own <= 1e-6*size)
         {
             if (j < linear)
@@ -123,10 +123,11 @@ Foam::capsule::fitRows Foam::capsule::cubicFit
         ++kept;
     }
 
-    fitRows rows(fitRows::Zero(linear, n));
-    for (label k = 0; k < kept; ++k)
+    fitRows rows(linear, n);
+    for (label i = 0; i < linear; ++i)
     {
-        rows += counted.col(k)*basis.col(k).transpose();
+        rows.row(i) =
+            basis.leftCols(kept)*counted.row(i).head(kept).transpose();
     }
     return rows*weights.asDiagonal();
 }

@@ -99,21 +99,28 @@ Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::fit
     forAll(stencils_, node)
     {
         const labelList& stencil = stencils_[node];
-        nodalMatrix f(stencil.size(), fields);
+        const fitRows& rows = rows_[node];
+        scalar fit[4][4] = {{0}};
         forAll(stencil, i)
         {
             const label celli = stencil[i] % values.rows();
-            f.row(i) = values.row(celli);
-            if (celli != stencil[i])
+            const bool beyondAxis = (celli != stencil[i]);
+            for (label j = 0; j < fields; ++j)
             {
-                // Beyond the axis
-                f(i, 1) = -f(i, 1);
+                const scalar value =
+                    (beyondAxis && j == 1 ? -1 : 1)*values(celli, j);
+                for (label k = 0; k <= d; ++k)
+                {
+                    fit[k][j] += rows(k, i)*value;
+                }
             }
         }
-        const nodalMatrix fit = rows_[node].lazyProduct(f);
         for (label k = 0; k <= d; ++k)
         {
-            found[k].row(node) = fit.row(k);
+            for (label j = 0; j < fields; ++j)
+            {
+                found[k](node, j) = fit[k][j];
+            }
         }
     }
     return extended(found);

@@ -68,8 +68,11 @@ Foam::labelList Foam::capsule::oneSidedFit::seenFrom
     );
 
     // Cells seen, and their mean size around the node
-    const nodalScalars squares =
-        (all.leftCols(d).rowwise() - x).rowwise().squaredNorm();
+    nodalScalars squares(nodalScalars::Zero(all.rows()));
+    for (label k = 0; k < d; ++k)
+    {
+        squares.array() += (all.col(k).array() - x(k)).square();
+    }
     DynamicList<label> seen;
     solvedTensor mean(solvedTensor::Zero(d, d));
     scalar total = 0;
@@ -131,24 +134,25 @@ void Foam::capsule::oneSidedFit::setNode
     const scalar beyondCell =
         1/(toCells*surface.normal().row(node).transpose()).norm();
 
-    DynamicList<label> near;
-    DynamicList<scalar> weights;
-    nodalVectors points(seen.size(), d);
+    DynamicList<label> near(seen.size());
+    DynamicList<scalar> weights(seen.size());
+    nodalVectors points(nodalVectors::Zero(seen.size(), d));
     for (const label i : seen)
     {
-        const solvedVector r = (all.row(i).head(d) - x)*toCells.transpose();
-        const scalar beyond = max(all(i, d)/beyondCell, scalar(0));
-        if (r.norm() < radius && beyond < reach)
+        auto r = points.row(near.size());
+        r.setZero();
+        for (label k = 0; k < d; ++k)
         {
-            points.row(near.size()) = r;
+            r += (all(i, k) - x(k))*toCells.col(k).transpose();
+        }
+        const scalar square = r.squaredNorm();
+        const scalar beyond = max(all(i, d)/beyondCell, scalar(0));
+        if (square < sqr(radius) && beyond < reach)
+        {
             near.append(i);
             weights.append
             (
-                sqr
-                (
-                    (1 - r.squaredNorm()/sqr(radius))
-                   *(1 - sqr(beyond/reach))
-                )
+                sqr((1 - square/sqr(radius))*(1 - sqr(beyond/reach)))
             );
         }
     }
