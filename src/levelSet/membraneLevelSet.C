@@ -168,6 +168,10 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     for (const label celli : around(search.largestWidth() + sampleSpacing))
     {
         const scalar h = search.ofCell(celli).largest();
+        if (h <= width_)
+        {
+            continue;
+        }
         const solvedVector x = image(centres[celli]);
         scalar bound = sqr(h + sampleSpacing);
         const label sample = search_.nearest(x, bound);

@@ -98,18 +98,18 @@ Foam::capsule::sampleSearch::sampleSearch(const nodalVectors& samples)
     {
         x_.col(i) = samples.row(numbers_[i]).transpose();
     }
-    centres_.resize(samples.cols(), n);
+    centres_.resize(n, samples.cols());
     radii_.resize(n);
     for (label i = 0; i < n; ++i)
     {
         const auto block =
             x_.middleCols(starts_[i], starts_[i + 1] - starts_[i]);
-        centres_.col(i) =
+        const nodalScalars centre =
             0.5*(block.rowwise().minCoeff() + block.rowwise().maxCoeff());
+        centres_.row(i) = centre.transpose();
         radii_(i) = std::sqrt
         (
-            (block.colwise() - centres_.col(i)).colwise().squaredNorm()
-           .maxCoeff()
+            (block.colwise() - centre).colwise().squaredNorm().maxCoeff()
         );
     }
 }
@@ -123,38 +123,21 @@ Foam::label Foam::capsule::sampleSearch::nearest
     scalar& bound
 ) const
 {
-    const label d = x_.rows();
-    const label n = radii_.size();
-    const auto squareTo = [&](const label block)
-    {
-        const scalar* centre = centres_.data() + d*block;
-        scalar square = 0;
-        for (label k = 0; k < d; ++k)
-        {
-            square += sqr(x(k) - centre[k]);
-        }
-        return square;
-    };
-
     // First the block whose centre is nearest: it bounds the others
-    label first = 0;
-    scalar least = squareTo(0);
-    for (label i = 1; i < n; ++i)
+    nodalScalars squares(nodalScalars::Zero(radii_.size()));
+    for (label k = 0; k < x.size(); ++k)
     {
-        const scalar square = squareTo(i);
-        if (square < least)
-        {
-            least = square;
-            first = i;
-        }
+        squares.array() += (centres_.col(k).array() - x(k)).square();
     }
+    Eigen::Index first;
+    squares.minCoeff(&first);
 
     label found = -1;
     search(first, x.data(), bound, found);
     scalar distance = std::sqrt(bound);
-    for (label i = 0; i < n; ++i)
+    forAll(squares, i)
     {
-        if (i != first && squareTo(i) < sqr(distance + radii_(i)))
+        if (i != first && squares(i) < sqr(distance + radii_(i)))
         {
             search(i, x.data(), bound, found);
             distance = std::sqrt(bound);
