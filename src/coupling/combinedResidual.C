@@ -40,16 +40,23 @@ Foam::capsule::nodalMatrix Foam::capsule::combinedResidual::mapped
     const Function& map
 ) const
 {
-    nodalMatrix result(0, rows.cols());
+    List<nodalMatrix> found(parts_.size());
     label start = 0;
-    for (const interfaceResidual& part : parts_)
+    label nFound = 0;
+    forAll(parts_, i)
     {
-        const label n = size(part);
-        const nodalMatrix found = map(part, rows.middleRows(start, n));
+        const label n = size(parts_[i]);
+        found[i] = map(parts_[i], rows.middleRows(start, n));
         start += n;
+        nFound += found[i].rows();
+    }
 
-        result.conservativeResize(result.rows() + found.rows(), rows.cols());
-        result.bottomRows(found.rows()) = found;
+    nodalMatrix result(nFound, rows.cols());
+    start = 0;
+    for (const nodalMatrix& m : found)
+    {
+        result.middleRows(start, m.rows()) = m;
+        start += m.rows();
     }
     return result;
 }

@@ -117,11 +117,18 @@ Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::correction
     const label others = residual.rows() - n;
 
     nodalMatrix result(residual.rows(), residual.cols());
-    result.topRows(n) = derivative_.solve(residual.topRows(n));
-    for (label j = 0; others && j < residual.cols(); ++j)
+    for (label j = 0; j < residual.cols(); ++j)
     {
-        result.col(j).tail(others) =
-            inertiaCorrection(result.col(j).head(n), residual.col(j).tail(others));
+        // One by one: they are few
+        result.col(j).head(n) =
+            derivative_.solve(nodalScalars(residual.col(j).head(n)));
+        if (others)
+        {
+            result.col(j).tail(others) = inertiaCorrection
+            (
+                result.col(j).head(n), residual.col(j).tail(others)
+            );
+        }
     }
     return result;
 }

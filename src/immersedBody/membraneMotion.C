@@ -54,10 +54,11 @@ Foam::capsule::membraneMotion::membraneMotion
     filter_(filter),
     excess_(excess(body, predicted, body.old(0).velocity, 0.25*scheme.c))
 {
-    for (label i = 0; i < 2; ++i)
-    {
-        reduced_[i] = body.basis().reduced(filter, i);
-    }
+    reduced_[0] = body.basis().reduced(filter, 0);
+    reduced_[1] =
+        body.basis().axisymmetric()
+      ? body.basis().reduced(filter, 1)
+      : reduced_[0];
     if (excess_.size())
     {
         excess_ = interface.filtered(filter_, interface.tangential(excess_));

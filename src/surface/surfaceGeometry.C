@@ -9,16 +9,28 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceGeometry.H"
+#include "byColumns.H"
 #include "sphericalBasis.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::capsule::surfaceGeometry::setCurve()
 {
+    // Short waves that are round-off are none
+    const scalar roundOff = SMALL*x_.cwiseAbs().maxCoeff();
+    label n = coeffs_.rows();
+    while (n > 1 && coeffs_.row(n - 1).cwiseAbs().maxCoeff() < roundOff)
+    {
+        --n;
+    }
+    coeffs_.conservativeResize(n, 2);
+
     // About the mean: nothing is lost far from the origin
-    const nodalVectors x1 =
-        basis_->derivative()*(x_.rowwise() - x_.colwise().mean());
-    const nodalVectors x2 = basis_->derivative()*x1;
+    const nodalVectors x1 = byColumns
+    (
+        basis_->derivative(), x_.rowwise() - x_.colwise().mean()
+    );
+    const nodalVectors x2 = byColumns(basis_->derivative(), x1);
 
     g_ = x1.rowwise().norm();
     t_ = g_.cwiseInverse().asDiagonal()*x1;
@@ -50,8 +62,10 @@ void Foam::capsule::surfaceGeometry::setSpatial()
 {
     const sphericalGrid& grid = basis_->spherical().grid();
     const label n = coeffs_.rows();
-    const nodalVectors a = grid.derivative(0).leftCols(n)*coeffs_;
-    const nodalVectors b = grid.derivative(1).leftCols(n)*coeffs_;
+    const nodalVectors a =
+        byColumns(grid.derivative(0).leftCols(n), coeffs_);
+    const nodalVectors b =
+        byColumns(grid.derivative(1).leftCols(n), coeffs_);
 
     n_.resize(size(), 3);
     for (label i = 0; i < 3; ++i)
@@ -105,8 +119,8 @@ Foam::capsule::surfaceGeometry::surfaceGeometry
     coeffs_
     (
         basis.spatial()
-      ? nodalVectors(basis.analysis().topRows(basis.nPacked())*x)
-      : nodalVectors(basis.analysis()*x)
+      ? byColumns(basis.analysis().topRows(basis.nPacked()), x)
+      : byColumns(basis.analysis(), x)
     )
 {
     if (spatial())

@@ -227,6 +227,11 @@ Foam::capsule::nodalMatrix Foam::capsule::curveMechanics::forceJacobian
     {
         for (label j = 0; j < 2; ++j)
         {
+            if (plane && j < i)
+            {
+                result.block(i*n, j*n, n, n) = result.block(j*n, i*n, n, n);
+                continue;
+            }
             nodalScalars m =
                 (along - turning).array()*t.col(i).array()*t.col(j).array();
             if (i == j)

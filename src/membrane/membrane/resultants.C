@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "resultants.H"
+#include "byColumns.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -21,12 +22,12 @@ Foam::capsule::nodalVectors Foam::capsule::resultants::force
     const nodalMatrix& d = curve.basis().derivative();
     if (!curve.axisymmetric())
     {
-        return d*R;
+        return byColumns(d, R);
     }
     const nodalScalars dc =
         curve.metric().cwiseProduct(curve.tangent().col(1));
 
-    return scaled(curve.around(), d*R) + scaled(dc, R);
+    return scaled(curve.around(), byColumns(d, R)) + scaled(dc, R);
 }
 
 

@@ -181,7 +181,8 @@ Foam::capsule::surfacePoint Foam::capsule::curveBasis::expand
     vector2 x = coefficients.row(0);
     vector2 x1 = vector2::Zero();
     vector2 x2 = vector2::Zero();
-    for (label i = 1; i < n_; i += 2)
+    const label n = coefficients.rows();
+    for (label i = 1; i < n; i += 2)
     {
         const scalar k = (i + 1)/2;
         const scalar next = c*c1 - s*s1;
@@ -191,7 +192,7 @@ Foam::capsule::surfacePoint Foam::capsule::curveBasis::expand
         const vector2 a(coefficients(i, 0), coefficients(i, 1));
         vector2 wave = c*a;
         vector2 slope = -s*a;
-        if (i + 1 < n_)
+        if (i + 1 < n)
         {
             const vector2 b(coefficients(i + 1, 0), coefficients(i + 1, 1));
             wave += s*b;
