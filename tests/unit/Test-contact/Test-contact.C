@@ -20,8 +20,7 @@ Description
 #include "fvCFD.H"
 #include "contact.H"
 #include "solvedDirections.H"
-#include "sphericalBasis.H"
-#include "../Test-mechanics/testing.H"
+#include "ellipsoids.H"
 
 using namespace Foam;
 using namespace Foam::capsule;
@@ -29,61 +28,6 @@ using namespace Foam::capsule;
 //- Range and strength
 static const scalar range = 0.3;
 static const scalar strength = 7;
-
-
-//- A basis in the geometry of a mesh
-static autoPtr<surfaceBasis> basisIn
-(
-    const solvedDirections& directions,
-    const label n
-)
-{
-    return
-        directions.spatial()
-      ? autoPtr<surfaceBasis>(new sphericalBasis(n/6, n/4))
-      : surfaceBasis::New(directions, n);
-}
-
-
-//- Direction of a node from the middle of a circle or sphere
-static solvedVector directionOf(const surfaceBasis& basis, const label i)
-{
-    const surfaceParameter y = basis.parameter(i);
-    if (basis.spatial())
-    {
-        solvedVector result(3);
-        result << y.x(), y.y(), y.z();
-        return result;
-    }
-    const scalar theta = basis.curve().start() + y.x();
-    return vector2(std::cos(theta), std::sin(theta));
-}
-
-
-//- An ellipse or ellipsoid of semi-axes a along the first direction, b across,
-//  its middle at x; turned, if not in a wedge
-static nodalVectors ellipsoid
-(
-    const surfaceBasis& basis,
-    const scalar x,
-    const scalar a,
-    const scalar b,
-    const scalar angle = 0
-)
-{
-    nodalVectors nodes(basis.size(), basis.nComponents());
-    const scalar c = std::cos(angle);
-    const scalar s = std::sin(angle);
-    for (label i = 0; i < basis.size(); ++i)
-    {
-        solvedVector d = directionOf(basis, i)*b;
-        d(0) *= a/b;
-        nodes.row(i) = d;
-        nodes(i, 0) = x + c*d(0) - s*d(1);
-        nodes(i, 1) = axisAt + s*d(0) + c*d(1);
-    }
-    return nodes;
-}
 
 
 //- A smooth displacement with the symmetry of a wedge
