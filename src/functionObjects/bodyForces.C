@@ -11,6 +11,7 @@ License
 #include "bodyForces.H"
 #include "membraneSystem.H"
 #include "rigidBody.H"
+#include "surfaceVtk.H"
 #include "input.H"
 #include "releases.H"
 #include "unitConversion.H"
@@ -88,6 +89,22 @@ void Foam::functionObjects::bodyForces::writeRow
 }
 
 
+void Foam::functionObjects::bodyForces::writeVtk
+(
+    const capsule::rigidBody& body
+) const
+{
+    const capsule::interfaceState& now = body.history().now();
+    capsule::surfaceVtk vtk
+    (
+        body.name(), body.presentSurface(), membranes().directions()
+    );
+    vtk.addVectors("velocity", now.velocity);
+    vtk.addVectors("force", now.force);
+    vtk.write(baseTimeDir(), baseFileDir()/name());
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::functionObjects::bodyForces::bodyForces
@@ -98,7 +115,8 @@ Foam::functionObjects::bodyForces::bodyForces
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name)
+    writeFile(mesh_, name),
+    lines_(false)
 {
     read(dict);
 }
@@ -110,8 +128,13 @@ bool Foam::functionObjects::bodyForces::read(const dictionary& dict)
 {
     capsule::input::warnOfOthers
     (
-        dict, capsule::input::functionObjectEntries()
+        dict,
+        capsule::input::joined
+        (
+            {"lines"}, capsule::input::functionObjectEntries()
+        )
     );
+    lines_ = capsule::input::getOrDefault<bool>(dict, "lines", false);
     return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
 }
 
@@ -149,6 +172,10 @@ bool Foam::functionObjects::bodyForces::write()
     forAll(files_, i)
     {
         writeRow(system.body(i), files_[i]);
+        if (lines_)
+        {
+            writeVtk(system.body(i));
+        }
     }
     return true;
 }

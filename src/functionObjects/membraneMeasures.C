@@ -10,7 +10,7 @@ License
 
 #include "membraneMeasures.H"
 #include "membraneSystem.H"
-#include "membraneVtk.H"
+#include "surfaceVtk.H"
 #include "meshBoundary.H"
 #include "input.H"
 #include "unitConversion.H"
@@ -206,44 +206,26 @@ void Foam::functionObjects::membraneMeasures::writeVtk
     const capsule::membrane& m
 ) const
 {
-    const capsule::solvedDirections& directions = membranes().directions();
-    const capsule::membraneVtk vtk(m, directions);
-    const fileName dir(baseTimeDir());
-    mkDir(dir);
-    if (!directions.spatial())
-    {
-        vtk.writeLine(dir/m.name() + ".vtk");
-        writeSeries(m.name() + ".vtk");
-    }
-    if (directions.axisymmetric() || directions.spatial())
-    {
-        vtk.writeSurface(dir/m.name() + ".surface.vtk");
-        writeSeries(m.name() + ".surface.vtk");
-    }
-}
+    const capsule::closedSurface surface(m.surface());
+    capsule::surfaceVtk vtk(m.name(), surface, membranes().directions());
+    vtk.addVectors("velocity", m.now().velocity);
+    vtk.addVectors("force", m.force(surface, surface.areaElement()));
 
-
-void Foam::functionObjects::membraneMeasures::writeSeries
-(
-    const fileName& file
-) const
-{
-    const fileName dir(baseFileDir()/name());
-    OFstream os(dir/(file + ".series"));
-
-    os  << "{\n  \"file-series-version\" : \"1.0\",\n  \"files\" : [";
-    const char* separator = "\n";
-    for (const instant& time : Time::findTimes(dir))
+    const capsule::membraneMechanics::principalValues p = m.principal(surface);
+    vtk.addScalars("stretch", p.l1);
+    vtk.addScalars("tension", p.T1);
+    if (surface.axisymmetric())
     {
-        if (isFile(dir/time.name()/file))
-        {
-            os  << separator << "    { \"name\" : \""
-                << (time.name()/file).c_str() << "\", \"time\" : "
-                << time.value() << " }";
-            separator = ",\n";
-        }
+        vtk.addScalars("hoopStretch", p.l2);
+        vtk.addScalars("hoopTension", p.T2);
     }
-    os  << "\n  ]\n}\n";
+    else if (surface.spatial())
+    {
+        vtk.addScalars("secondStretch", p.l2);
+        vtk.addScalars("secondTension", p.T2);
+    }
+    vtk.addScalars("curvature", surface.totalCurvature());
+    vtk.write(baseTimeDir(), baseFileDir()/name());
 }
 
 

@@ -9,11 +9,12 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "membraneVtk.H"
-#include "membrane.H"
+#include "surfaceVtk.H"
 #include "solvedDirections.H"
 #include "sphericalBasis.H"
 #include "OFstream.H"
+#include "OSspecific.H"
+#include "Time.H"
 #include "mathematicalConstants.H"
 
 using Foam::constant::mathematical::pi;
@@ -76,37 +77,35 @@ static void writeRings(const label nRings, const label nAround, Ostream& os)
     }
 }
 
+
+//- Write the list of the files of a name in directories of times and of the
+//  times, <file>.series
+static void writeSeries(const fileName& dir, const fileName& file)
+{
+    OFstream os(dir/(file + ".series"));
+
+    os  << "{\n  \"file-series-version\" : \"1.0\",\n  \"files\" : [";
+    const char* separator = "\n";
+    for (const instant& time : Time::findTimes(dir))
+    {
+        if (isFile(dir/time.name()/file))
+        {
+            os  << separator << "    { \"name\" : \""
+                << (time.name()/file).c_str() << "\", \"time\" : "
+                << time.value() << " }";
+            separator = ",\n";
+        }
+    }
+    os  << "\n  ]\n}\n";
+}
+
 } // End namespace capsule
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::capsule::membraneVtk::addVectors
-(
-    const char* name,
-    const nodalVectors& v
-)
-{
-    vectors_.append(name);
-    fields_.conservativeResize(v.rows(), fields_.cols() + v.cols());
-    fields_.rightCols(v.cols()) = v;
-}
-
-
-void Foam::capsule::membraneVtk::addScalars
-(
-    const char* name,
-    const nodalScalars& f
-)
-{
-    scalars_.append(name);
-    fields_.conservativeResize(f.rows(), fields_.cols() + 1);
-    fields_.rightCols(1) = f;
-}
-
-
-Foam::vector Foam::capsule::membraneVtk::turned
+Foam::vector Foam::capsule::surfaceVtk::turned
 (
     const solvedVector& v,
     const station& s
@@ -124,7 +123,7 @@ Foam::vector Foam::capsule::membraneVtk::turned
 }
 
 
-void Foam::capsule::membraneVtk::writePoints
+void Foam::capsule::surfaceVtk::writePoints
 (
     const nodalMatrix& fields,
     const UList<station>& at,
@@ -147,7 +146,7 @@ void Foam::capsule::membraneVtk::writePoints
 }
 
 
-void Foam::capsule::membraneVtk::writeFields
+void Foam::capsule::surfaceVtk::writeFields
 (
     const nodalMatrix& fields,
     const UList<station>& at,
@@ -181,7 +180,7 @@ void Foam::capsule::membraneVtk::writeFields
 }
 
 
-void Foam::capsule::membraneVtk::writeRevolved(Ostream& os) const
+void Foam::capsule::surfaceVtk::writeRevolved(Ostream& os) const
 {
     // The two ends of the meridian, then rings of its nodes
     const curveBasis& basis = surface_.basis().curve();
@@ -207,14 +206,14 @@ void Foam::capsule::membraneVtk::writeRevolved(Ostream& os) const
         }
     }
 
-    writeHeader(membrane_.name(), at.size(), os);
+    writeHeader(name_, at.size(), os);
     writePoints(fields, at, os);
     writeRings(n, nAround, os);
     writeFields(fields, at, os);
 }
 
 
-void Foam::capsule::membraneVtk::writeSpatial(Ostream& os) const
+void Foam::capsule::surfaceVtk::writeSpatial(Ostream& os) const
 {
     // The two poles of the parameter sphere, then a grid's circles around them
     const sphericalBasis& basis = surface_.basis().spherical();
@@ -237,53 +236,14 @@ void Foam::capsule::membraneVtk::writeSpatial(Ostream& os) const
     const nodalMatrix fields =
         basis.functions(parameters)*(basis.analysis()*fields_);
 
-    writeHeader(membrane_.name(), at.size(), os);
+    writeHeader(name_, at.size(), os);
     writePoints(fields, at, os);
     writeRings(grid.degree() + 1, 2*grid.degree() + 2, os);
     writeFields(fields, at, os);
 }
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::capsule::membraneVtk::membraneVtk
-(
-    const membrane& m,
-    const solvedDirections& directions
-)
-:
-    membrane_(m),
-    directions_(directions),
-    surface_(m.surface())
-{
-    const solvedVector centre = surface_.centroid();
-    fields_ =
-        surface_.nodes().rowwise()
-      + (directions.images().wrapped(centre) - centre);
-
-    addVectors("velocity", m.now().velocity);
-    addVectors("force", m.force(surface_, surface_.areaElement()));
-
-    const membraneMechanics::principalValues p = m.principal(surface_);
-    addScalars("stretch", p.l1);
-    addScalars("tension", p.T1);
-    if (surface_.axisymmetric())
-    {
-        addScalars("hoopStretch", p.l2);
-        addScalars("hoopTension", p.T2);
-    }
-    else if (surface_.spatial())
-    {
-        addScalars("secondStretch", p.l2);
-        addScalars("secondTension", p.T2);
-    }
-    addScalars("curvature", surface_.totalCurvature());
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::capsule::membraneVtk::writeLine(const fileName& file) const
+void Foam::capsule::surfaceVtk::writeLine(const fileName& file) const
 {
     const label n = surface_.size();
     List<station> at(n, station{0, 1, 0});
@@ -293,7 +253,7 @@ void Foam::capsule::membraneVtk::writeLine(const fileName& file) const
     }
 
     OFstream os(file);
-    writeHeader(membrane_.name(), n, os);
+    writeHeader(name_, n, os);
     writePoints(fields_, at, os);
     os  << "LINES 1 " << n + 2 << nl << n + 1;
     for (label i = 0; i <= n; ++i)
@@ -305,7 +265,7 @@ void Foam::capsule::membraneVtk::writeLine(const fileName& file) const
 }
 
 
-void Foam::capsule::membraneVtk::writeSurface(const fileName& file) const
+void Foam::capsule::surfaceVtk::writeSurface(const fileName& file) const
 {
     OFstream os(file);
     if (directions_.spatial())
@@ -315,6 +275,72 @@ void Foam::capsule::membraneVtk::writeSurface(const fileName& file) const
     else
     {
         writeRevolved(os);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::surfaceVtk::surfaceVtk
+(
+    const word& name,
+    const closedSurface& surface,
+    const solvedDirections& directions
+)
+:
+    name_(name),
+    directions_(directions),
+    surface_(surface)
+{
+    const solvedVector centre = surface_.centroid();
+    fields_ =
+        surface_.nodes().rowwise()
+      + (directions.images().wrapped(centre) - centre);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::capsule::surfaceVtk::addVectors
+(
+    const char* name,
+    const nodalVectors& v
+)
+{
+    vectors_.append(name);
+    fields_.conservativeResize(v.rows(), fields_.cols() + v.cols());
+    fields_.rightCols(v.cols()) = v;
+}
+
+
+void Foam::capsule::surfaceVtk::addScalars
+(
+    const char* name,
+    const nodalScalars& f
+)
+{
+    scalars_.append(name);
+    fields_.conservativeResize(f.rows(), fields_.cols() + 1);
+    fields_.rightCols(1) = f;
+}
+
+
+void Foam::capsule::surfaceVtk::write
+(
+    const fileName& timeDir,
+    const fileName& dir
+) const
+{
+    mkDir(timeDir);
+    if (!directions_.spatial())
+    {
+        writeLine(timeDir/name_ + ".vtk");
+        writeSeries(dir, name_ + ".vtk");
+    }
+    if (directions_.axisymmetric() || directions_.spatial())
+    {
+        writeSurface(timeDir/name_ + ".surface.vtk");
+        writeSeries(dir, name_ + ".surface.vtk");
     }
 }
 
