@@ -159,25 +159,25 @@ Foam::Pair<Foam::scalar> Foam::functionObjects::energyBalance::bodiesPower
 )
 {
     Pair<scalar> sum(0, 0);
-    const auto add = [&]
-    (
-        const capsule::closedSurface& surface,
-        const capsule::nodalScalars& power
-    )
-    {
-        sum.first() += surface.integral(power);
-        sum.second() += surface.integral(power.cwiseAbs());
-    };
     for (label i = 0; i < system.nMembranes(); ++i)
     {
         const capsule::closedSurface surface(system[i].surface());
-        add(surface, system[i].power(surface));
+        const capsule::nodalScalars power = system[i].power(surface);
+        sum.first() += surface.integral(power);
+        sum.second() += surface.integral(power.cwiseAbs());
     }
     for (label i = 0; i < system.nBodies(); ++i)
     {
         const capsule::rigidBody& body = system.body(i);
         const capsule::interfaceState& now = body.history().now();
-        add(body.stepSurface(), capsule::dot(now.force, now.velocity));
+        sum.first() += body.power();
+        sum.second() += body.stepSurface().integral
+        (
+            capsule::nodalScalars
+            (
+                capsule::dot(now.force, now.velocity).cwiseAbs()
+            )
+        );
     }
     return sum;
 }

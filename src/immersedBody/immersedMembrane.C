@@ -20,12 +20,6 @@ namespace capsule
 {
     defineTypeNameAndDebug(immersedMembrane, 0);
     defineRunTimeSelectionTable(immersedMembrane, dictionary);
-
-    //- Root mean square over the nodes
-    static scalar rms(const nodalMatrix& v)
-    {
-        return v.norm()/Foam::sqrt(scalar(v.rows()));
-    }
 }
 }
 
@@ -40,14 +34,7 @@ void Foam::capsule::immersedMembrane::extrapolateState(const nodalVectors& nodes
     {
         layer_->add(membrane_, mesh_.time().deltaT0Value());
     }
-    interfaceHistory& history = membrane_.history();
-    history.store();
-    history.now().interface = nodes;
-    history.now().x = nodes;
-    history.extrapolate
-    (
-        mesh_.time().deltaTValue()/mesh_.time().deltaT0Value()
-    );
+    membrane_.history().advance(nodes, mesh_.time());
     setFlowScheme();
 }
 

@@ -104,15 +104,12 @@ Foam::capsule::nodalScalars Foam::capsule::inertiaJump::pressureLaplacian
 {
     const closedSurface& surface = interface_.surface();
 
-    // The gradient jumps by n b with b along the surface, its product with
-    // itself by 2 n.(b.grad u)
-    const nodalVectors f = interface_.resolved(history_.now().force);
-    const nodalVectors b = -surface.tangential(f)/liquids_.viscosity;
-    const nodalScalars jump =
-        2*dot
-        (
-            surface.along(b, history_.now().velocity), surface.normal()
-        );
+    const nodalScalars jump = interface_.gradientProductJump
+    (
+        interface_.resolved(history_.now().force),
+        history_.now().velocity,
+        liquids_.viscosity
+    );
     nodalScalars fitted = nodalScalars::Zero(surface.size());
     for (label i = 0; i < surface.nComponents(); ++i)
     {

@@ -165,6 +165,20 @@ void Foam::capsule::sharpInterface::restore(const scalar mu)
 }
 
 
+Foam::capsule::nodalScalars
+Foam::capsule::sharpInterface::gradientProductJump
+(
+    const nodalVectors& f,
+    const nodalVectors& u,
+    const scalar mu
+) const
+{
+    const nodalVectors b = -surface().tangential(f)/mu;
+
+    return 2*dot(surface().along(b, u), surface().normal());
+}
+
+
 void Foam::capsule::sharpInterface::setJumps
 (
     const nodalVectors& f,

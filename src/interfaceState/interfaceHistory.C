@@ -12,7 +12,11 @@ License
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::capsule::interfaceHistory::store()
+void Foam::capsule::interfaceHistory::advance
+(
+    const nodalVectors& nodes,
+    const Time& runTime
+)
 {
     old_.setSize(min(old_.size() + 1, label(3)));
     for (label i = old_.size() - 1; i > 0; --i)
@@ -20,6 +24,19 @@ void Foam::capsule::interfaceHistory::store()
         std::swap(old_[i], old_[i - 1]);
     }
     old_[0] = now_;
+    now_.x = nodes;
+    now_.interface = nodes;
+    if (nOld() == 2)
+    {
+        const scalar ratio = runTime.deltaTValue()/runTime.deltaT0Value();
+        const interfaceState& old = old_[0];
+        const interfaceState& older = old_[1];
+
+        now_.force += ratio*(old.force - older.force);
+        now_.velocity += ratio*(old.velocity - older.velocity);
+        now_.vorticity += ratio*(old.vorticity - older.vorticity);
+        now_.pressure += ratio*(old.pressure - older.pressure);
+    }
 }
 
 
@@ -31,21 +48,6 @@ void Foam::capsule::interfaceHistory::restore()
         std::swap(old_[i - 1], old_[i]);
     }
     old_.setSize(old_.size() - 1);
-}
-
-
-void Foam::capsule::interfaceHistory::extrapolate(const scalar ratio)
-{
-    if (nOld() == 2)
-    {
-        const interfaceState& old = old_[0];
-        const interfaceState& older = old_[1];
-
-        now_.force += ratio*(old.force - older.force);
-        now_.velocity += ratio*(old.velocity - older.velocity);
-        now_.vorticity += ratio*(old.vorticity - older.vorticity);
-        now_.pressure += ratio*(old.pressure - older.pressure);
-    }
 }
 
 

@@ -215,6 +215,15 @@ Foam::capsule::membraneSystem::viscosity() const
 }
 
 
+void Foam::capsule::membraneSystem::setInsideOfBodies(surfaceScalarField& phi)
+{
+    for (label i = nMembranes_; i < parts_.size(); ++i)
+    {
+        parts_[i].setInside(U_, phi);
+    }
+}
+
+
 void Foam::capsule::membraneSystem::setPressure()
 {
     if (scaledPressure_.valid())

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "rigidBody.H"
+#include "sourceMoment.H"
 #include "placedShape.H"
 #include "profiling.H"
 
@@ -19,12 +20,6 @@ namespace Foam
 namespace capsule
 {
     defineTypeNameAndDebug(rigidBody, 0);
-
-    //- Root mean square over the nodes
-    static scalar rms(const nodalMatrix& v)
-    {
-        return v.norm()/Foam::sqrt(scalar(v.rows()));
-    }
 }
 }
 
@@ -50,19 +45,6 @@ Foam::capsule::rigidShape::place Foam::capsule::rigidBody::moved
         step += scheme.c00*shape_->displacement(placeOf(history_.old(1)), from);
     }
     return shape_->moved(from, step/scheme.c);
-}
-
-
-Foam::capsule::nodalScalars
-Foam::capsule::rigidBody::pressureLaplacian(const nodalVectors& f) const
-{
-    const nodalVectors b = -surface().tangential(f)/mu_;
-
-    return
-        -2*rho_*dot
-        (
-            surface().along(b, history_.now().velocity), surface().normal()
-        );
 }
 
 
@@ -121,18 +103,11 @@ Foam::capsule::rigidBody::rigidBody
     (
         new sharpInterface(history_, *basis_, directions, mesh, 1)
     );
-    setFlowScheme();
-    if
+    inside_.reset
     (
-        motion_.free() && unsteady() && shape_->nRotations()
-     && motion_.density() < density
-    )
-    {
-        FatalIOErrorInFunction(dict.subDict("motion"))
-            << "Entry density is " << motion_.density() << "; permitted for a"
-            << " body that may turn, in a flow with inertia: at least that of"
-            << " the liquid, " << density << exit(FatalIOError);
-    }
+        new displacedLiquid(*interface_, *shape_, directions, mesh)
+    );
+    setFlowScheme();
 }
 
 
@@ -190,19 +165,15 @@ Foam::capsule::nodalVectors Foam::capsule::rigidBody::predicted
 void Foam::capsule::rigidBody::predict(const couplingMethod&)
 {
     setSurroundings();
-    const closedSurface predicted(predictedSurface());
-    const nodalVectors nodes = interface_->smoothed(predicted);
-    history_.store();
-    history_.now().interface = nodes;
-    history_.now().x = nodes;
-    history_.extrapolate
-    (
-        mesh_.time().deltaTValue()/mesh_.time().deltaT0Value()
-    );
+    history_.advance(interface_->smoothed(predictedSurface()), mesh_.time());
     setFlowScheme();
     interface_->advance(unsteady(), mu_);
     centre_ = surface().centroid();
     setResponse();
+    if (unsteady())
+    {
+        inside_->advance(centre_);
+    }
 }
 
 
@@ -211,6 +182,28 @@ void Foam::capsule::rigidBody::restore()
     history_.restore();
     setFlowScheme();
     interface_->restore(mu_);
+}
+
+
+void Foam::capsule::rigidBody::setInside
+(
+    volVectorField& U,
+    surfaceScalarField& phi
+) const
+{
+    inside_->setRigid(place().centre, velocity(), U, phi);
+}
+
+
+void Foam::capsule::rigidBody::addFreshCells(volVectorField& ddtU) const
+{
+    interface_->addFreshCells(flowScheme(), ddtU);
+}
+
+
+void Foam::capsule::rigidBody::addGradient(volTensorField& gradient) const
+{
+    interface_->addGradient(gradient);
 }
 
 
@@ -229,7 +222,13 @@ void Foam::capsule::rigidBody::addSources
         f,
         history_.now().inertia,
         flux
-      ? pressureLaplacian(f)
+      ? nodalScalars
+        (
+           -rho_*interface_->gradientProductJump
+            (
+                f, history_.now().velocity, mu_
+            )
+        )
       : nodalScalars(nodalScalars::Zero(surface().size())),
         mu_
     );
@@ -240,12 +239,12 @@ void Foam::capsule::rigidBody::addSources
             *flux, rho_/outerScale(), scale, sources.momentum
         );
     }
-    const vectorField before(cutSource(sources));
+    sourceMoment moment(*interface_, directions_, sources);
     const solvedVector resultant = surface().resultant(f);
     interface_->addSources(sources, mu_, 1, &resultant);
     if (surface().nRotations())
     {
-        addMoment(f, before, sources);
+        moment.correct(f, centre_);
     }
 }
 
@@ -260,14 +259,27 @@ Foam::capsule::immersedBody::imbalance Foam::capsule::rigidBody::correct
     const label n = nForce();
     const nodalVectors fluid =
         fit()(U, nullptr).value.leftCols(basis_->nComponents());
-    fluidResponse_.resize(2*n);
-    fluidResponse_
-        << basis_->pack(fluid) + mobility_*unresolvedForce(), unknowns();
+    const nodalScalars unresolved = basis_->pack
+    (
+        history_.now().force - interface_->resolved(history_.now().force)
+    );
+    if (unsteady())
+    {
+        taken_ =
+            rho_
+           *(flowScheme().c*inside_->momentum(U) - oldMomentum());
+    }
+    fluidResponse_.resize(nResponse());
+    fluidResponse_.head(2*n)
+        << basis_->pack(fluid) + slip_.velocity()*unresolved,
+        unknowns();
+    if (counted())
+    {
+        fluidResponse_.tail(taken_.size()) = taken_;
+    }
 
     interfaceState& now = history_.now();
-    // At the end that of the balance: nothing slips
-    const nodalScalars V =
-        motion_.free() ? nodalScalars(carried(fluidResponse_.head(n))) : given_;
+    const nodalScalars V = carried(fluidResponse_.head(n));
     const rigidShape::place to = moved(V);
     now.x = shape_->nodes(to);
     now.velocity = shape_->velocity(now.x, to.centre, V);
@@ -287,7 +299,7 @@ Foam::capsule::immersedBody::imbalance Foam::capsule::rigidBody::remaining
     // expected: a body starts with none
     const interfaceState& now = history_.now();
     const nodalVectors df = basis_->unpack(change);
-    const nodalVectors slip = basis_->unpack(mobility_*change);
+    const nodalVectors slip = basis_->unpack(slip_.velocity()*change);
     const scalar width = levelSet().width();
     const scalar stress =
         rms(now.force + df) + mu_*rms(surface().gradients(now.velocity))

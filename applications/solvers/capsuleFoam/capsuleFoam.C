@@ -100,6 +100,8 @@ int main(int argc, char *argv[])
         runTime, membranes, *flow, *driving, U, p, phi
     );
 
+    membranes.setInsideOfBodies(phi);
+
     Info<< "\nStarting time loop\n" << endl;
 
     while (runTime.run())
@@ -132,6 +134,7 @@ int main(int argc, char *argv[])
         }
         while (step.repeat());
 
+        membranes.setInsideOfBodies(phi);
         membranes.setPressure();
 
         if (!dryRun)

@@ -8,49 +8,64 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "rigidBody.H"
+#include "sourceMoment.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::vectorField Foam::capsule::rigidBody::cutSource
-(
-    const flowEquations::sources& sources
-) const
+Foam::vectorField Foam::capsule::sourceMoment::cutSource() const
 {
-    const labelUList& cells = interface_->cut();
+    const labelUList& cells = interface_.cut();
     vectorField result(cells.size());
     forAll(cells, i)
     {
-        result[i] = sources.momentum[cells[i]] - sources.gradient[cells[i]];
+        result[i] = sources_.momentum[cells[i]] - sources_.gradient[cells[i]];
     }
     return result;
 }
 
 
-void Foam::capsule::rigidBody::addMoment
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::sourceMoment::sourceMoment
+(
+    const sharpInterface& interface,
+    const solvedDirections& directions,
+    flowEquations::sources& sources
+)
+:
+    interface_(interface),
+    directions_(directions),
+    sources_(sources),
+    before_(cutSource())
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::capsule::sourceMoment::correct
 (
     const nodalVectors& f,
-    const vectorField& before,
-    flowEquations::sources& sources
-) const
+    const solvedVector& centre
+)
 {
-    const label m = surface().nRotations();
-    const label d = basis_->nComponents();
+    const closedSurface& surface = interface_.surface();
+    const label m = surface.nRotations();
+    const label d = surface.nComponents();
+    const fvMesh& mesh = sources_.momentum.mesh();
 
-    const labelUList& cells = interface_->cut();
-    const vectorField source(cutSource(sources) - before);
+    const labelUList& cells = interface_.cut();
+    const vectorField source(cutSource() - before_);
     nodalVectors arm(cells.size(), d);
     nodalVectors force(cells.size(), d);
     nodalScalars volume(cells.size());
     forAll(cells, i)
     {
         const label celli = cells[i];
-        volume(i) = mesh_.V()[celli];
-        arm.row(i) = levelSet().image(mesh_.C()[celli]) - centre_;
+        volume(i) = mesh.V()[celli];
+        arm.row(i) = interface_.levelSet().image(mesh.C()[celli]) - centre;
         force.row(i) = volume(i)*directions_(source[i]);
     }
 
-    // A rotation about their middle has a moment but no resultant
     const auto sum = [](scalar value)
     {
         return returnReduce(value, sumOp<scalar>());
@@ -70,7 +85,7 @@ void Foam::capsule::rigidBody::addMoment
     for (label k = 0; k < m; ++k)
     {
         missing(k) =
-            directions_.sector()*surface().moment(f, k)
+            directions_.sector()*surface.moment(f, k)
           - sum(dot(turned(arm, k), force).sum());
         for (label l = 0; l < m; ++l)
         {
@@ -86,7 +101,7 @@ void Foam::capsule::rigidBody::addMoment
         {
             const nodalVectors spin =
                 turned(nodalVectors(arm.row(i) - middle), k);
-            sources.momentum[cells[i]] +=
+            sources_.momentum[cells[i]] +=
                 rates(k)*directions_.toVector(spin.row(0));
         }
     }
