@@ -27,6 +27,9 @@ namespace capsule
 }
 
 
+const Foam::scalar Foam::capsule::directFlowSolver::pivotThreshold_ = 0.01;
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::capsule::directFlowSolver::setOrder(const UList<link>& links)
@@ -63,6 +66,7 @@ void Foam::capsule::directFlowSolver::factorise(const fvVectorMatrix& UEqn)
     }
     Eigen::SparseMatrix<scalar> ordered;
     ordered = matrix(UEqn, links).twistedBy(order_);
+    factors_.setPivotThreshold(pivotThreshold_);
     factors_.compute(ordered);
     if (factors_.info() != Eigen::Success)
     {
