@@ -99,28 +99,21 @@ Foam::capsule::oneSidedFit::fitted Foam::capsule::oneSidedFit::fit
     forAll(stencils_, node)
     {
         const labelList& stencil = stencils_[node];
-        const fitRows& rows = rows_[node];
-        scalar fit[4][4] = {{0}};
+        nodalMatrix f(stencil.size(), fields);
         forAll(stencil, i)
         {
             const label celli = stencil[i] % values.rows();
-            const bool beyondAxis = (celli != stencil[i]);
-            for (label j = 0; j < fields; ++j)
+            f.row(i) = values.row(celli);
+            if (celli != stencil[i])
             {
-                const scalar value =
-                    (beyondAxis && j == 1 ? -1 : 1)*values(celli, j);
-                for (label k = 0; k <= d; ++k)
-                {
-                    fit[k][j] += rows(k, i)*value;
-                }
+                // Beyond the axis
+                f(i, 1) = -f(i, 1);
             }
         }
+        const nodalMatrix fit = rows_[node].lazyProduct(f);
         for (label k = 0; k <= d; ++k)
         {
-            for (label j = 0; j < fields; ++j)
-            {
-                found[k](node, j) = fit[k][j];
-            }
+            found[k].row(node) = fit.row(k);
         }
     }
     return extended(found);

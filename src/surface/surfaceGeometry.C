@@ -16,21 +16,22 @@ License
 
 void Foam::capsule::surfaceGeometry::setCurve()
 {
+    // About the mean: nothing is lost far from the origin
+    const solvedVector mean = x_.colwise().mean();
+    const nodalVectors d = x_.rowwise() - mean;
+    const nodalVectors x1 = byColumns(basis_->derivative(), d);
+    const nodalVectors x2 = byColumns(basis_->derivative(), x1);
+
     // Short waves that are round-off are none
-    const scalar roundOff = SMALL*x_.cwiseAbs().maxCoeff();
+    coeffs_ = byColumns(basis_->analysis(), d);
+    const scalar roundOff = SMALL*d.cwiseAbs().maxCoeff();
     label n = coeffs_.rows();
     while (n > 1 && coeffs_.row(n - 1).cwiseAbs().maxCoeff() < roundOff)
     {
         --n;
     }
     coeffs_.conservativeResize(n, 2);
-
-    // About the mean: nothing is lost far from the origin
-    const nodalVectors x1 = byColumns
-    (
-        basis_->derivative(), x_.rowwise() - x_.colwise().mean()
-    );
-    const nodalVectors x2 = byColumns(basis_->derivative(), x1);
+    coeffs_.row(0) += mean;
 
     g_ = x1.rowwise().norm();
     t_ = g_.cwiseInverse().asDiagonal()*x1;
@@ -60,6 +61,8 @@ void Foam::capsule::surfaceGeometry::setCurve()
 
 void Foam::capsule::surfaceGeometry::setSpatial()
 {
+    coeffs_ = byColumns(basis_->analysis().topRows(basis_->nPacked()), x_);
+
     const sphericalGrid& grid = basis_->spherical().grid();
     const label n = coeffs_.rows();
     const nodalVectors a =
@@ -115,13 +118,7 @@ Foam::capsule::surfaceGeometry::surfaceGeometry
 )
 :
     basis_(&basis),
-    x_(x),
-    coeffs_
-    (
-        basis.spatial()
-      ? byColumns(basis.analysis().topRows(basis.nPacked()), x)
-      : byColumns(basis.analysis(), x)
-    )
+    x_(x)
 {
     if (spatial())
     {
