@@ -200,20 +200,31 @@ Foam::tmp<Foam::scalarField> Foam::capsule::solvedDirections::widths
     const fvMesh& mesh
 ) const
 {
-    tmp<scalarField> twidths(new scalarField(mesh.V().field()));
-    scalarField& widths = twidths.ref();
-    forAll(widths, celli)
+    if (spatial())
     {
-        if (spatial())
-        {
-            widths[celli] = Foam::cbrt(widths[celli]);
-            continue;
-        }
-        widths[celli] = Foam::sqrt
-        (
-            widths[celli]/thickness((*this)(mesh.cellCentres()[celli]))
-        );
+        return Foam::cbrt(mesh.V().field());
     }
+    if (!axisymmetric_)
+    {
+        return Foam::sqrt(mesh.V().field()/thickness_);
+    }
+
+    // What the two faces on the wedge cover of its middle plane: the volume is
+    // that over a radius which is not the centroid's
+    tmp<scalarField> twidths(new scalarField(mesh.nCells(), Zero));
+    scalarField& widths = twidths.ref();
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (isA<wedgePolyPatch>(pp))
+        {
+            forAll(pp, i)
+            {
+                widths[pp.faceCells()[i]] +=
+                    0.5*mag(pp.faceAreas()[i][across_]);
+            }
+        }
+    }
+    widths = Foam::sqrt(widths);
     return twidths;
 }
 

@@ -68,7 +68,8 @@ int main(int argc, char* argv[])
     const scalar a = 1;
     const vector2 centre(0.5*(given(3) + given(4)) + 0.0004, axis);
     const scalar h = gMin(directions.widths(mesh)());
-    const axisymmetricBasis basis(2*label(constant::mathematical::pi*a/h), axis);
+    const label half = 1.1547*constant::mathematical::pi*a/h;
+    const axisymmetricBasis basis(2*half, axis);
     nodalVectors x(basis.size(), 2);
     for (label i = 0; i < basis.size(); ++i)
     {
