@@ -11,6 +11,7 @@ License
 #include "sphericalMap.H"
 #include "ListOps.H"
 #include "mathematicalConstants.H"
+#include <algorithm>
 #include <vector>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -139,10 +140,9 @@ Foam::scalar Foam::capsule::sphericalMap::median
     const nodalScalars& values
 ) const
 {
-    const labelList order
-    (
-        sortedOrder(scalarList(values.data(), values.data() + values.size()))
-    );
+    scalarList unsorted(values.size());
+    std::copy_n(values.data(), values.size(), unsorted.begin());
+    const labelList order(sortedOrder(unsorted));
     scalar below = 0;
     for (const label i : order)
     {
