@@ -55,25 +55,7 @@ Foam::capsule::nodalMatrix Foam::capsule::contactResidual::expectedChange
     const nodalMatrix& dx
 ) const
 {
-    // By parts: before the first iteration there is no response yet
-    nodalMatrix gaps = nodalMatrix::Zero(gaps_.size(), dx.cols());
-    label start = 0;
-    forAll(bodies_, i)
-    {
-        const immersedBody& body = bodies_[i];
-        const label n = body.nUnknowns();
-        nodalMatrix dy;
-        for (label j = 0; j < dx.cols(); ++j)
-        {
-            const nodalScalars change =
-                body.responseChange(dx.col(j).segment(start, n));
-            dy.conservativeResize(change.size(), dx.cols());
-            dy.col(j) = change;
-        }
-        gaps_.addChange(i, body.pointsChange(dy), gaps);
-        start += n;
-    }
-    return gaps;
+    return gapsChange(responseChanges(dx));
 }
 
 
@@ -233,27 +215,6 @@ Foam::capsule::nodalMatrix Foam::capsule::contactResidual::correction
             forces.row(j) = stiffness_(closed_[j])*change.row(closed_[j]);
         }
         result -= answer_*system_.solve(forces);
-    }
-    return result;
-}
-
-
-Foam::capsule::immersedBody::imbalance
-Foam::capsule::contactResidual::remaining() const
-{
-    const nodalScalars left = residual(fluidResponse());
-    const nodalScalars change = correction(left);
-
-    immersedBody::imbalance result{0, 0};
-    label start = 0;
-    for (const immersedBody& body : bodies_)
-    {
-        const label n = body.nUnknowns();
-        const immersedBody::imbalance part =
-            body.remaining(left.segment(start, n), change.segment(start, n));
-        result.stress = max(result.stress, part.stress);
-        result.displacement = max(result.displacement, part.displacement);
-        start += n;
     }
     return result;
 }

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "combinedResidual.H"
+#include "ownership.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -40,23 +41,30 @@ Foam::capsule::nodalMatrix Foam::capsule::combinedResidual::mapped
     const Function& map
 ) const
 {
-    List<nodalMatrix> found(parts_.size());
+    std::vector<nodalMatrix> found(parts_.size());
     label start = 0;
-    label nFound = 0;
     forAll(parts_, i)
     {
         const label n = size(parts_[i]);
-        found[i] = map(parts_[i], rows.middleRows(start, n));
+        if (ownership::owns(i))
+        {
+            found[i] = map(parts_[i], rows.middleRows(start, n));
+        }
         start += n;
-        nFound += found[i].rows();
     }
+    ownership::share(found);
 
-    nodalMatrix result(nFound, rows.cols());
-    start = 0;
-    for (const nodalMatrix& m : found)
+    label n = 0;
+    for (const nodalMatrix& part : found)
     {
-        result.middleRows(start, m.rows()) = m;
-        start += m.rows();
+        n += part.rows();
+    }
+    nodalMatrix result(n, rows.cols());
+    n = 0;
+    for (const nodalMatrix& part : found)
+    {
+        result.middleRows(n, part.rows()) = part;
+        n += part.rows();
     }
     return result;
 }
@@ -159,10 +167,13 @@ void Foam::capsule::combinedResidual::linearise
 )
 {
     label start = 0;
-    for (interfaceResidual& part : parts_)
+    forAll(parts_, i)
     {
-        const label n = responseOf(part);
-        part.linearise(y.segment(start, n), fullTangent);
+        const label n = responseOf(parts_[i]);
+        if (ownership::owns(i))
+        {
+            parts_[i].linearise(y.segment(start, n), fullTangent);
+        }
         start += n;
     }
 }
@@ -219,9 +230,9 @@ Foam::capsule::nodalMatrix Foam::capsule::combinedResidual::correction
 }
 
 
-Foam::capsule::nodalScalars Foam::capsule::combinedResidual::responseChange
+Foam::capsule::nodalMatrix Foam::capsule::combinedResidual::responseChanges
 (
-    const nodalScalars& dx
+    const nodalMatrix& dx
 ) const
 {
     return mapped
@@ -230,7 +241,12 @@ Foam::capsule::nodalScalars Foam::capsule::combinedResidual::responseChange
         unknownsOf,
         [](const interfaceResidual& part, const nodalMatrix& dxi)
         {
-            return part.responseChange(dxi);
+            nodalMatrix result(part.nResponse(), dxi.cols());
+            for (Eigen::Index j = 0; j < dxi.cols(); ++j)
+            {
+                result.col(j) = part.responseChange(dxi.col(j));
+            }
+            return result;
         }
     );
 }

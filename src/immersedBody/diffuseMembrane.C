@@ -195,7 +195,16 @@ void Foam::capsule::diffuseMembrane::predict(const couplingMethod& method)
     const closedSurface predictedCurve(predictedSurface());
     extrapolateState(predictedCurve.nodes());
     place(predictedCurve.nodes());
+    setMotion(predictedCurve, method);
+    if (!method.implicitStress())
+    {
+        membrane_.now().force = membrane_.force(predictedCurve, surface().areaElement());
+    }
+}
 
+
+void Foam::capsule::diffuseMembrane::setJacobians(const couplingMethod& method)
+{
     // Shorter waves fade in the spreading
     const nodalFilter slow = levelSet().filter(surface(), forceWaves_);
     nodalMatrix response =
@@ -208,15 +217,8 @@ void Foam::capsule::diffuseMembrane::predict(const couplingMethod& method)
     }
     setResponse
     (
-        predictedCurve,
-        method,
-        nodalMatrix::Identity(nForce(), nForce()),
-        response
+        method, nodalMatrix::Identity(nForce(), nForce()), response
     );
-    if (!method.implicitStress())
-    {
-        membrane_.now().force = membrane_.force(predictedCurve, surface().areaElement());
-    }
 }
 
 

@@ -156,18 +156,6 @@ Foam::capsule::nodalMatrix Foam::capsule::immersedBody::loaded
 }
 
 
-Foam::capsule::immersedBody::imbalance
-Foam::capsule::immersedBody::remaining
-(
-    const nodalScalars&,
-    const nodalScalars&
-) const
-{
-    NotImplemented;
-    return imbalance{0, 0};
-}
-
-
 void Foam::capsule::immersedBody::write() const
 {
     history().write(mesh_.time());

@@ -67,12 +67,10 @@ Foam::capsule::immersedMembrane::setMembraneScheme()
 }
 
 
-void Foam::capsule::immersedMembrane::setResponse
+void Foam::capsule::immersedMembrane::setMotion
 (
     const closedSurface& predictedCurve,
-    const couplingMethod& method,
-    const nodalMatrix& fluidJacobian,
-    const nodalMatrix& mobility
+    const couplingMethod& method
 )
 {
     motion_.reset
@@ -87,7 +85,19 @@ void Foam::capsule::immersedMembrane::setResponse
             method.conserveArea()
         )
     );
+    predictedPoints_ = predictedCurve.nodes();
     implicit_ = method.implicitStress();
+}
+
+
+void Foam::capsule::immersedMembrane::setResponse
+(
+    const couplingMethod& method,
+    const nodalMatrix& fluidJacobian,
+    const nodalMatrix& mobility
+)
+{
+    const closedSurface predictedCurve(basis(), predictedPoints_);
     explicitForce_ = force(predictedCurve);
     forceNoise_ = forceNoise(predictedCurve);
     fluidJacobian_ = fluidJacobian;
@@ -220,8 +230,7 @@ void Foam::capsule::immersedMembrane::setUnknowns(const nodalScalars& x)
 }
 
 
-Foam::capsule::immersedMembrane::imbalance
-Foam::capsule::immersedMembrane::correct
+void Foam::capsule::immersedMembrane::correct
 (
     const volVectorField& U,
     const volScalarField& p,
@@ -243,9 +252,6 @@ Foam::capsule::immersedMembrane::correct
 
     const scalar shear = (1 + ratio_)*mu_*rms(now.velocity)/levelSet().width();
     noise_ = 10*forceNoise_ + 100*SMALL*(rms(now.force) + rms(contrast) + shear);
-
-    const nodalScalars left = residual(fluidResponse_);
-    return remaining(left, correction(left));
 }
 
 

@@ -26,13 +26,6 @@ namespace capsule
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::capsule::nodalScalars
-Foam::capsule::sharpMembrane::unresolvedForce() const
-{
-    return basis().pack(membrane_.now().force - resolvedForce());
-}
-
-
 void Foam::capsule::sharpMembrane::setLiquids()
 {
     setSurroundings();
@@ -67,7 +60,7 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::velocity
 
     return
         fluid_.value.leftCols(basis().nComponents())
-      + basis().unpack(mobility()*unresolvedForce());
+      + basis().unpack(unresolvedResponse_.col(0));
 }
 
 
@@ -84,7 +77,7 @@ Foam::capsule::nodalVectors Foam::capsule::sharpMembrane::contrastTraction
     (
         fluid_,
         resolvedForce(),
-        unresolvedForce(),
+        basis().unpack(unresolvedResponse_.col(1)),
         (surface().nodes().rowwise() - pressureOrigin())*driving.transpose(),
         inertia_.momentumRate(flowScheme()),
         membrane_.now()
@@ -195,17 +188,40 @@ void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
 
     setScale();
     inertia_.advance();
-    setResponse
-    (
-        predicted,
-        method,
-        contrast_.fluidJacobian(method.usesResponse()),
-        freeSpaceResponse::singleLayer(surface(), mu_)
-    );
+    setMotion(predicted, method);
     if (liquids_.contrast())
     {
         membrane_.now().inertia = inertia_.value(flowScheme(), excess());
     }
+}
+
+
+void Foam::capsule::sharpMembrane::setJacobians(const couplingMethod& method)
+{
+    addProfiling(jacobians, "capsule::sharpMembrane::setJacobians");
+
+    setResponse
+    (
+        method,
+        contrast_.fluidJacobian(method.usesResponse()),
+        freeSpaceResponse::singleLayer(surface(), mu_)
+    );
+}
+
+
+Foam::capsule::nodalMatrix
+Foam::capsule::sharpMembrane::unresolvedResponse() const
+{
+    const nodalScalars rest =
+        basis().pack(membrane_.now().force - resolvedForce());
+
+    nodalMatrix result(rest.size(), liquids_.contrast() ? 2 : 1);
+    result.col(0) = mobility()*rest;
+    if (liquids_.contrast())
+    {
+        result.col(1) = contrast_.traction(rest);
+    }
+    return result;
 }
 
 

@@ -94,7 +94,7 @@ Foam::capsule::nodalVectors Foam::capsule::viscosityContrast::force
 (
     const oneSidedFit::fitted& fluid,
     const nodalVectors& resolved,
-    const nodalScalars& unresolved,
+    const nodalVectors& shortWaves,
     const nodalScalars& drivingPressure,
     const solvedVector& momentumRate,
     interfaceState& now
@@ -118,8 +118,6 @@ Foam::capsule::nodalVectors Foam::capsule::viscosityContrast::force
         vorticity += along;
     }
 
-    const nodalVectors shortWaves =
-        surface.basis().unpack(traction_*unresolved);
     pressure -= dot(shortWaves, n);
     viscous += surface.tangential(shortWaves);
 

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "membraneSystem.H"
+#include "ownership.H"
 #include "rigidBody.H"
 #include "kineticEnergyRate.H"
 #include "profiling.H"
@@ -17,6 +18,63 @@ License
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 const Foam::scalar Foam::capsule::membraneSystem::maxOffset_ = 2;
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::capsule::membraneSystem::shareUnresolved()
+{
+    std::vector<nodalMatrix> responses(parts_.size());
+    forAll(parts_, i)
+    {
+        if (ownership::owns(i))
+        {
+            responses[i] = parts_[i].unresolvedResponse();
+        }
+    }
+    ownership::share(responses);
+    forAll(parts_, i)
+    {
+        parts_[i].setUnresolvedResponse(responses[i]);
+    }
+}
+
+
+Foam::capsule::immersedBody::imbalance
+Foam::capsule::membraneSystem::remaining
+(
+    const combinedResidual& residual
+) const
+{
+    const nodalScalars left = residual.residual(residual.fluidResponse());
+    const nodalScalars change = residual.correction(left);
+
+    std::vector<nodalMatrix> found(parts_.size());
+    label start = 0;
+    forAll(parts_, i)
+    {
+        const label n = parts_[i].nUnknowns();
+        if (ownership::owns(i))
+        {
+            const immersedBody::imbalance part = parts_[i].remaining
+            (
+                left.segment(start, n), change.segment(start, n)
+            );
+            found[i].resize(1, 2);
+            found[i] << part.stress, part.displacement;
+        }
+        start += n;
+    }
+    ownership::share(found);
+
+    immersedBody::imbalance result{0, 0};
+    for (const nodalMatrix& part : found)
+    {
+        result.stress = max(result.stress, part(0));
+        result.displacement = max(result.displacement, part(1));
+    }
+    return result;
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -94,6 +152,14 @@ void Foam::capsule::membraneSystem::predict()
     setViscosity();
     setFreshCells();
 
+    // Not where they are placed, which is the work of all processors together
+    forAll(parts_, i)
+    {
+        if (ownership::owns(i))
+        {
+            parts_[i].setJacobians(*method_);
+        }
+    }
     if (contact_.valid())
     {
         contactResidual_->start
@@ -151,29 +217,22 @@ void Foam::capsule::membraneSystem::correct(const bool solved)
     addProfiling(correct, "capsule::membraneSystem::correct");
 
     const solvedVector driving = directions_(driving_.force());
-    scalar stress = 0;
-    scalar displacement = 0;
     scalar offset = 0;
 
+    shareUnresolved();
     for (immersedBody& m : parts_)
     {
-        const immersedBody::imbalance found =
-            m.correct(U_, scaledPressure(), driving);
-        stress = max(stress, found.stress);
-        displacement = max(displacement, found.displacement);
+        m.correct(U_, scaledPressure(), driving);
         offset = max(offset, m.offset());
     }
-    if (contact_.valid() && contactResidual_->active())
-    {
-        const immersedBody::imbalance left = contactResidual_->remaining();
-        stress = left.stress;
-        displacement = left.displacement;
-    }
+    combinedResidual& residual =
+        contact_.valid() ? *contactResidual_ : *residual_;
+    const immersedBody::imbalance left = remaining(residual);
     Info<< "Membranes: iteration " << iter_ << ", imbalance of stress "
-        << stress << ", displacement " << displacement << " cell widths"
-        << endl;
+        << left.stress << ", displacement " << left.displacement
+        << " cell widths" << endl;
 
-    if (!(stress < input::largest && displacement < input::largest))
+    if (!(left.stress < input::largest && left.displacement < input::largest))
     {
         failure_ = "the membranes diverge";
         return;
@@ -181,7 +240,8 @@ void Foam::capsule::membraneSystem::correct(const bool solved)
 
     converged_ =
         solved
-     && stress < stressTolerance_ && displacement < displacementTolerance_;
+     && left.stress < stressTolerance_
+     && left.displacement < displacementTolerance_;
 
     if (converged_ && offset > maxOffset_)
     {
@@ -194,8 +254,8 @@ void Foam::capsule::membraneSystem::correct(const bool solved)
 
     if (!converged_ && iter_ < maxIter_)
     {
-        combinedResidual& residual =
-            contact_.valid() ? *contactResidual_ : *residual_;
+        addProfiling(next, "capsule::couplingMethod::next");
+
         residual.setUnknowns(method_->next(residual.unknowns(), residual));
     }
 }

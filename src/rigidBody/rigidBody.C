@@ -249,7 +249,7 @@ void Foam::capsule::rigidBody::addSources
 }
 
 
-Foam::capsule::immersedBody::imbalance Foam::capsule::rigidBody::correct
+void Foam::capsule::rigidBody::correct
 (
     const volVectorField& U,
     const volScalarField&,
@@ -283,9 +283,6 @@ Foam::capsule::immersedBody::imbalance Foam::capsule::rigidBody::correct
     const rigidShape::place to = moved(V);
     now.x = shape_->nodes(to);
     now.velocity = shape_->velocity(now.x, to.centre, V);
-
-    const nodalScalars left = residual(fluidResponse_, false);
-    return remaining(left, left);
 }
 
 
