@@ -193,7 +193,14 @@ Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted
 
     if (membrane_.nOld() > 0)
     {
-        return now.x + dt/dt0*(now.x - membrane_.old(0).x);
+        const interfaceState& old = membrane_.old(0);
+        nodalVectors x = now.x + dt/dt0*(now.x - old.x);
+        if (membrane_.nOld() > 1)
+        {
+            // Along their curved paths
+            x += 0.5*dt*(1 + dt/dt0)*(now.velocity - old.velocity);
+        }
+        return x;
     }
     nodalVectors velocity = now.velocity;
     const nodalVectors w = membraneMotion::excess
