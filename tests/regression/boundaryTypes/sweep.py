@@ -5,7 +5,7 @@
 
 CASE is a meshed case; its types are asked of the solver, by a type that there is not. Of each a step is taken with a set of entries
 that suits most. It must end with an error before that step, which names the file of the field and the type, or with End, finite
-fields and as much flow in as out. Never with a signal, a stack trace, a hang, a flow that does not solve, or mass that vanishes.
+fields and as much flow in as out. Never with a signal (but OpenFOAM's abort after its own message), a stack trace, a hang, a flow that does not solve, or mass that vanishes.
 """
 
 import concurrent.futures
@@ -13,6 +13,7 @@ import os
 import re
 import resource
 import shutil
+import signal
 import subprocess
 import sys
 
@@ -76,11 +77,14 @@ def judge(case, field, type_):
     """What a run ends with: valid, refused, or what is wrong with it"""
     code, log = solve(case)
     stepped = re.search(r'^Time = ', log, re.M)
-    if code < 0 or code >= 128 or 'sigFpe::' in log or 'sigSegv::' in log or 'printStack' in log.split('FOAM FATAL')[0]:
+    message = log[log.index('FOAM FATAL'):] if 'FOAM FATAL' in log else ''
+    # OpenFOAM ends some of its own refusals by abort, after the message; our code none
+    refusal, *aborts = message.split('FOAM aborting')
+    aborts = aborts and code == -signal.SIGABRT and 'capsule::' not in refusal
+    if (code < 0 and not aborts) or code >= 128 or 'sigFpe::' in log or 'sigSegv::' in log or 'printStack' in log.split('FOAM FATAL')[0]:
         return 'signal %d' % code, log
-    if 'FOAM FATAL' in log:
-        message = log[log.index('FOAM FATAL'):]
-        named = re.search(r'/0/%s\b|\bfield %s\b' % (field, field), message) or type_ in message
+    if message:
+        named = re.search(r'\b0/%s\b|\bfield %s\b' % (field, field), message) or type_ in message
         return ('stops in the step' if stepped else 'refused' if named else 'not named'), log
     if code != 0 or not re.search('^End', log, re.M):
         return 'no End', log
