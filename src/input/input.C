@@ -38,6 +38,39 @@ static const entry* other(const dictionary& dict, const wordList& names)
     return nullptr;
 }
 
+//- Stop at a dictionary, or at dimensions that are given and wrong: there
+//  newer releases abort, which cannot be caught
+static void checkQuantity
+(
+    const dictionary& dict,
+    const word& entry,
+    const dimensionSet& dimensions
+)
+{
+    if (dict.isDict(entry))
+    {
+        FatalIOErrorInFunction(dict)
+            << "a value is wanted, not a dictionary" << exit(FatalIOError);
+    }
+    ITstream& is = dict.lookup(entry);
+    const label first = (is.size() && is[0].isWord()) ? 1 : 0;
+    if
+    (
+        is.size() > first && is[first].isPunctuation()
+     && is[first].pToken() == token::BEGIN_SQR
+    )
+    {
+        is.seek(first);
+        const dimensionSet given(is);
+        if (given != dimensions)
+        {
+            FatalIOErrorInFunction(dict)
+                << "dimensions " << given << "; permitted: " << dimensions
+                << exit(FatalIOError);
+        }
+    }
+}
+
 } // End namespace input
 } // End namespace capsule
 } // End namespace Foam
@@ -57,7 +90,11 @@ Foam::scalar Foam::capsule::input::getPositive
     (
         dict,
         entry,
-        [&]() { return dimensionedScalar(entry, dimensions, dict).value(); }
+        [&]()
+        {
+            checkQuantity(dict, entry, dimensions);
+            return dimensionedScalar(entry, dimensions, dict).value();
+        }
     );
     if (!(value >= smallest && value <= largest))
     {
@@ -80,7 +117,15 @@ const Foam::dictionary& Foam::capsule::input::subDict
     (
         dict,
         entry,
-        [&]() -> const dictionary& { return dict.subDict(entry); }
+        [&]() -> const dictionary&
+        {
+            if (dict.found(entry) && !dict.isDict(entry))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "a dictionary is wanted" << exit(FatalIOError);
+            }
+            return dict.subDict(entry);
+        }
     );
 }
 
