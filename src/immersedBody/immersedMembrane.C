@@ -195,7 +195,7 @@ Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted
     {
         const interfaceState& old = membrane_.old(0);
         nodalVectors x = now.x + dt/dt0*(now.x - old.x);
-        if (membrane_.nOld() > 1)
+        if (membrane_.nOld() > 1 && !unsteady())
         {
             // Along their curved paths
             x += 0.5*dt*(1 + dt/dt0)*(now.velocity - old.velocity);
