@@ -10,7 +10,6 @@ License
 
 #include "directFlowSolver.H"
 #include "familyEntries.H"
-#include "nestedDissection.H"
 #include "profiling.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -27,47 +26,12 @@ namespace capsule
 }
 
 
-const Foam::scalar Foam::capsule::directFlowSolver::pivotThreshold_ = 0.01;
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::capsule::directFlowSolver::setOrder(const UList<link>& links)
-{
-    List<DynamicList<label>> neighbours(mesh_.nCells());
-    for (const link& l : links)
-    {
-        neighbours[l.P].append(l.N);
-        neighbours[l.N].append(l.P);
-    }
-    labelListList lists(neighbours.size());
-    forAll(lists, celli)
-    {
-        lists[celli].transfer(neighbours[celli]);
-    }
-    const nodalVectors centres(directions_.toNodes(mesh_.cellCentres()));
-    const nestedDissection dissection(centres, lists);
-
-    order_.resize(dissection.order().size());
-    forAll(dissection.order(), i)
-    {
-        order_.indices()(dissection.order()[i]) = i;
-    }
-}
-
 
 void Foam::capsule::directFlowSolver::factorise(const fvVectorMatrix& UEqn)
 {
     addProfiling(factorise, "capsule::directFlowSolver::factorise");
-    const List<link> links(this->links(UEqn));
-    if (order_.size() == 0)
-    {
-        setOrder(links);
-    }
-    Eigen::SparseMatrix<scalar> ordered;
-    ordered = matrix(UEqn, links).twistedBy(order_);
-    factors_.setPivotThreshold(pivotThreshold_);
-    factors_.compute(ordered);
+    factors_.compute(matrix(UEqn));
     if (factors_.info() != Eigen::Success)
     {
         FatalErrorInFunction
@@ -124,8 +88,7 @@ void Foam::capsule::directFlowSolver::precondition
         b.segment<2>(3*celli) = directions_(momentum[celli]).transpose();
         b(3*celli + 2) = continuity[celli];
     }
-    const nodalScalars ordered = factors_.solve(order_*b);
-    const nodalScalars x = order_.transpose()*ordered;
+    const nodalScalars x = factors_.solve(b);
     forAll(momentum, celli)
     {
         dU[celli] = directions_.toVector(x.segment<2>(3*celli));

@@ -283,13 +283,13 @@ void Foam::capsule::directFlowSolver::addBoundaryFluxes
 
 Eigen::SparseMatrix<Foam::scalar> Foam::capsule::directFlowSolver::matrix
 (
-    const fvVectorMatrix& UEqn,
-    const UList<link>& links
+    const fvVectorMatrix& UEqn
 ) const
 {
     const label n = mesh_.nCells();
     triplets entries;
     entries.reserve(50*n);
+    const List<link> links(this->links(UEqn));
     const sparseRows grad[2] = {gradient(links, 0), gradient(links, 1)};
 
     addMomentum(UEqn, links, grad, entries);
