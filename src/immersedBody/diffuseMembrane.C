@@ -198,7 +198,8 @@ void Foam::capsule::diffuseMembrane::predict(const couplingMethod& method)
     setMotion(predictedCurve, method);
     if (!method.implicitStress())
     {
-        membrane_.now().force = membrane_.force(predictedCurve, surface().areaElement());
+        membrane_.now().force =
+            membrane_.force(predictedCurve, surface().areaElement());
     }
 }
 
