@@ -32,12 +32,8 @@ void Foam::capsule::directFlowSolver::factorise(const fvVectorMatrix& UEqn)
 {
     addProfiling(factorise, "capsule::directFlowSolver::factorise");
     factors_.compute(matrix(UEqn));
-    if (factors_.info() != Eigen::Success)
-    {
-        FatalErrorInFunction
-            << "The coupled matrix cannot be factorised: "
-            << factors_.lastErrorMessage().c_str() << exit(FatalError);
-    }
+    Info<< "Factorised the coupled matrix: " << factors_.entries()
+        << " entries" << endl;
     factorised_.reset(new fvVectorMatrix(UEqn));
     stale_ = false;
     made_ = true;
@@ -115,6 +111,7 @@ Foam::capsule::directFlowSolver::directFlowSolver
 )
 :
     GCR(dict, U, p, phi, rho),
+    factors_(directions_.toNodes(mesh_.cellCentres())),
     stale_(true),
     made_(false),
     staleAtStart_(true),
