@@ -10,6 +10,25 @@ License
 
 #include "contactResidual.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Bodies as residuals
+static Foam::UPtrList<Foam::capsule::interfaceResidual> partsOf
+(
+    Foam::UPtrList<Foam::capsule::contactBody>& bodies
+)
+{
+    using namespace Foam;
+
+    UPtrList<capsule::interfaceResidual> parts(bodies.size());
+    forAll(bodies, i)
+    {
+        parts.set(i, &bodies[i]);
+    }
+    return parts;
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::capsule::nodalScalars Foam::capsule::contactResidual::gapsAt
@@ -21,11 +40,11 @@ Foam::capsule::nodalScalars Foam::capsule::contactResidual::gapsAt
     label start = 0;
     for (label i = 0; implicit_ && i < bodies_.size(); ++i)
     {
-        const immersedBody& body = bodies_[i];
+        const contactBody& body = bodies_[i];
         const label n = body.nResponse();
         const nodalVectors moved =
             body.pointsOf(y.segment(start, n)) - gaps_.points()[i];
-        gaps_.addChange(i, body.basis().pack(moved), gaps);
+        gaps_.addChange(i, body.surface().basis().pack(moved), gaps);
         start += n;
     }
     return gaps;
@@ -41,7 +60,7 @@ Foam::capsule::nodalMatrix Foam::capsule::contactResidual::gapsChange
     label start = 0;
     forAll(bodies_, i)
     {
-        const immersedBody& body = bodies_[i];
+        const contactBody& body = bodies_[i];
         const label n = body.nResponse();
         gaps_.addChange(i, body.pointsChange(dy.middleRows(start, n)), gaps);
         start += n;
@@ -98,11 +117,10 @@ void Foam::capsule::contactResidual::linearise()
 Foam::capsule::contactResidual::contactResidual
 (
     const contact& law,
-    const UPtrList<interfaceResidual>& parts,
-    const UPtrList<immersedBody>& bodies
+    UPtrList<contactBody>& bodies
 )
 :
-    combinedResidual(parts),
+    combinedResidual(partsOf(bodies)),
     contact_(law),
     bodies_(bodies),
     implicit_(true),
@@ -138,15 +156,16 @@ void Foam::capsule::contactResidual::start
     label start = 0;
     forAll(bodies_, i)
     {
-        const immersedBody& body = bodies_[i];
-        const label n = body.basis().nComponents()*body.basis().nPacked();
-        const nodalScalars area = body.levelSet().surface().areaElement();
+        const contactBody& body = bodies_[i];
+        const surfaceBasis& basis = body.surface().basis();
+        const label n = basis.nComponents()*basis.nPacked();
+        const nodalScalars area = body.surface().areaElement();
         nodalMatrix forces = gaps_.derivatives(i, n);
         for (label j = 0; j < forces.cols(); ++j)
         {
-            forces.col(j) = body.basis().pack
+            forces.col(j) = basis.pack
             (
-                contactGaps::perArea(body.basis(), area, forces.col(j))
+                contactGaps::perArea(basis, area, forces.col(j))
             );
         }
         load_.middleRows(start, body.nUnknowns()) = body.loaded(forces);

@@ -31,13 +31,6 @@ namespace functionObjects
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-const Foam::capsule::membraneSystem&
-Foam::functionObjects::bodyForces::membranes() const
-{
-    return mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
-}
-
-
 Foam::List<const char*> Foam::functionObjects::bodyForces::columns() const
 {
     if (membranes().directions().axisymmetric())
@@ -114,8 +107,7 @@ Foam::functionObjects::bodyForces::bodyForces
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name),
+    systemFunction(name, runTime, dict),
     lines_(false)
 {
     read(dict);
@@ -126,22 +118,9 @@ Foam::functionObjects::bodyForces::bodyForces
 
 bool Foam::functionObjects::bodyForces::read(const dictionary& dict)
 {
-    capsule::input::warnOfOthers
-    (
-        dict,
-        capsule::input::joined
-        (
-            {"lines"}, capsule::input::functionObjectEntries()
-        )
-    );
+    warnOfOthers(dict, {"lines"});
     lines_ = capsule::input::getOrDefault<bool>(dict, "lines", false);
-    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
-}
-
-
-bool Foam::functionObjects::bodyForces::execute()
-{
-    return true;
+    return systemFunction::read(dict);
 }
 
 
@@ -159,14 +138,7 @@ bool Foam::functionObjects::bodyForces::write()
         forAll(files_, i)
         {
             files_.set(i, newFileAtStartTime(system.body(i).name()));
-            files_[i].precision(12);
-            writeHeader(files_[i], "Body " + system.body(i).name());
-            writeCommented(files_[i], "Time");
-            for (const char* column : columns())
-            {
-                writeTabbed(files_[i], column);
-            }
-            files_[i] << endl;
+            writeHead(files_[i], "Body " + system.body(i).name(), columns());
         }
     }
     forAll(files_, i)

@@ -9,11 +9,10 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "energyBalance.H"
+#include "energyBudget.H"
 #include "kineticEnergyRate.H"
 #include "membraneSystem.H"
-#include "rigidBody.H"
 #include "input.H"
-#include "fvc.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -47,62 +46,6 @@ const char* Foam::functionObjects::energyBalance::unit() const
 }
 
 
-Foam::Pair<Foam::scalar> Foam::functionObjects::energyBalance::boundaries
-(
-    const volVectorField& U,
-    const volTensorField& gradient,
-    const volScalarField& viscosity,
-    const scalar density
-) const
-{
-    const auto& p = mesh_.lookupObject<volScalarField>("p");
-    const volVectorField gradp(fvc::grad(p));
-
-    Pair<scalar> result(0, 0);
-    forAll(mesh_.boundary(), patchi)
-    {
-        const fvPatch& patch = mesh_.boundary()[patchi];
-        if (patch.coupled())
-        {
-            continue;
-        }
-        const vectorField& S = patch.Sf();
-        const vectorField& u = U.boundaryField()[patchi];
-        const fvPatchScalarField& pp = p.boundaryField()[patchi];
-
-        scalarField pressure(pp);
-        if (!pp.fixesValue())
-        {
-            // The momentum equation of the cell, which needs the gradient, has
-            // the cell's own value on this face: that value is the one as far
-            // beyond the face as the cell's centre lies before it
-            pressure -=
-                (
-                    gradp.boundaryField()[patchi].patchInternalField()
-                  & patch.nf()
-                )
-               /patch.deltaCoeffs();
-        }
-        const vectorField traction
-        (
-            (
-                2*viscosity.boundaryField()[patchi]
-               *symm(gradient.boundaryField()[patchi])
-              & S
-            )
-          - pressure*S
-        );
-        result.first() += sum(traction & u);
-        result.second() += sum(0.5*density*magSqr(u)*(u & S));
-    }
-
-    // Once for all: ranks have no faces on some of the patches
-    reduce(result.first(), sumOp<scalar>());
-    reduce(result.second(), sumOp<scalar>());
-    return result;
-}
-
-
 void Foam::functionObjects::energyBalance::takeWrittenBoundaries()
 {
     // The solver's set-up may have updated the boundaries, which the step
@@ -127,7 +70,7 @@ void Foam::functionObjects::energyBalance::takeWrittenBoundaries()
 
 void Foam::functionObjects::energyBalance::writeRow
 (
-    const FixedList<scalar, 7>& row,
+    const capsule::energyBudget& budget,
     const bool known
 )
 {
@@ -135,75 +78,46 @@ void Foam::functionObjects::energyBalance::writeRow
     {
         return;
     }
-    file() << mesh_.time().timeOutputValue();
-    forAll(row, i)
+    const auto writeIf = [&](const bool isKnown, const scalar value)
     {
         file() << tab;
-        // Kinetic energy and imbalance
-        if (known || (i != 1 && i != 5))
+        if (isKnown)
         {
-            file() << row[i];
+            file() << value;
         }
         else
         {
             file() << notKnown_;
         }
-    }
+    };
+    file() << mesh_.time().timeOutputValue();
+    writeIf(true, budget.dissipation);
+    writeIf(known, budget.kinetic);
+    writeIf(true, budget.boundaries);
+    writeIf(true, budget.membranes);
+    writeIf(true, budget.driving);
+    writeIf(known, budget.imbalance());
+    writeIf(true, budget.contact);
     file() << endl;
 }
 
 
-Foam::Pair<Foam::scalar> Foam::functionObjects::energyBalance::bodiesPower
+void Foam::functionObjects::energyBalance::warnOfImbalance
 (
-    const capsule::membraneSystem& system
-)
+    const capsule::energyBudget& budget
+) const
 {
-    Pair<scalar> sum(0, 0);
-    for (label i = 0; i < system.nMembranes(); ++i)
+    const scalar fed = budget.fed();
+    const scalar imbalance = budget.imbalance();
+    if (mag(imbalance) > max(largestImbalance_*fed, rest_*budget.exchanged))
     {
-        const capsule::closedSurface surface(system[i].surface());
-        const capsule::nodalScalars power = system[i].power(surface);
-        sum.first() += surface.integral(power);
-        sum.second() += surface.integral(power.cwiseAbs());
+        WarningInFunction
+            << "Power of " << imbalance
+            << unit() << " is out of balance, but "
+            << fed << " feed the flow: the mesh does not resolve it, or a"
+            << " boundary condition follows the flow, which still changes"
+            << endl;
     }
-    for (label i = 0; i < system.nBodies(); ++i)
-    {
-        const capsule::rigidBody& body = system.body(i);
-        const capsule::interfaceState& now = body.history().now();
-        sum.first() += body.power();
-        sum.second() += body.stepSurface().integral
-        (
-            capsule::nodalScalars
-            (
-                capsule::dot(now.force, now.velocity).cwiseAbs()
-            )
-        );
-    }
-    return sum;
-}
-
-
-Foam::scalar Foam::functionObjects::energyBalance::contactPower
-(
-    const capsule::membraneSystem& system
-)
-{
-    scalar power = 0;
-    if (system.hasContact())
-    {
-        const List<capsule::nodalVectors> forces(system.contactForces());
-        for (label i = 0; i < system.nMembranes(); ++i)
-        {
-            power += system[i].surface().integral
-            (
-                capsule::nodalScalars
-                (
-                    capsule::dot(forces[i], system[i].now().velocity)
-                )
-            );
-        }
-    }
-    return power;
 }
 
 
@@ -231,28 +145,22 @@ Foam::functionObjects::energyBalance::energyBalance
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, typeName, dict),
+    systemFunction(name, runTime, dict, typeName),
     largestImbalance_(0),
     warned_(false)
 {
     read(dict);
 
-    file().precision(12);
-    writeHeader(file(), string("Balance of mechanical energy") + unit());
-    writeCommented(file(), "Time");
-    for
+    writeHead
     (
-        const char* column :
+        file(),
+        string("Balance of mechanical energy") + unit(),
+        List<const char*>
         {
             "dissipation", "kineticEnergyRate", "boundaries", "membranes",
             "drivingForce", "imbalance", "contact"
         }
-    )
-    {
-        writeTabbed(file(), column);
-    }
-    file() << endl;
+    );
 }
 
 
@@ -260,15 +168,7 @@ Foam::functionObjects::energyBalance::energyBalance
 
 bool Foam::functionObjects::energyBalance::read(const dictionary& dict)
 {
-    capsule::input::warnOfOthers
-    (
-        dict,
-        capsule::input::joined
-        (
-            capsule::input::functionObjectEntries(),
-            {"largestImbalance"}
-        )
-    );
+    warnOfOthers(dict, {"largestImbalance"});
     largestImbalance_ = capsule::input::getBetweenOrDefault<scalar>
     (
         dict,
@@ -277,82 +177,37 @@ bool Foam::functionObjects::energyBalance::read(const dictionary& dict)
         capsule::input::smallest,
         capsule::input::largest
     );
-    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
-}
-
-
-bool Foam::functionObjects::energyBalance::execute()
-{
-    return true;
+    return systemFunction::read(dict);
 }
 
 
 bool Foam::functionObjects::energyBalance::write()
 {
-    const auto& system =
-        mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
-    const auto& U = mesh_.lookupObject<volVectorField>("U");
+    const capsule::membraneSystem& system = membranes();
+    scalar rate = 0;
+    bool known = true;
     if (postProcess)
     {
         takeWrittenBoundaries();
+        known = capsule::kineticEnergyRate::read(mesh_, rate);
     }
-    const scalar sector = system.directions().sector();
-    const scalarField& V = mesh_.V();
-
-    const volTensorField gradient(system.velocityGradient());
-    const volScalarField viscosity(system.viscosity());
-    const Pair<scalar> boundary
-    (
-        boundaries(U, gradient, viscosity, system.density())
-    );
-
-    const scalar dissipation =
-        gSum
-        (
-            2*viscosity.primitiveField()
-           *magSqr(symm(gradient.primitiveField()))*V
-        )/sector;
-    scalar rate = 0;
-    const bool known =
-        !postProcess || capsule::kineticEnergyRate::read(mesh_, rate);
-    if (!postProcess)
+    else
     {
-        rate = capsule::kineticEnergyRate::ofStep(U, system.density());
+        rate = capsule::kineticEnergyRate::ofStep
+        (
+            system.fluid().U(), system.fluid().density()
+        );
     }
-    const scalar kinetic = (rate + boundary.second())/sector;
-    const scalar driving =
-        (system.driving().force() & gSum(U.primitiveField()*V))/sector;
-    const Pair<scalar> bodies(bodiesPower(system));
-    const scalar contact = contactPower(system);
 
-    const scalar stress = boundary.first()/sector;
-    const scalar imbalance =
-        stress + bodies.first() + contact + driving - dissipation - kinetic;
-    const scalar fed =
-        max(stress, 0) + max(bodies.first(), 0) + max(contact, 0)
-      + max(driving, 0) + max(-kinetic, 0);
-
-    writeRow
-    (
-        {
-            dissipation, kinetic, stress, bodies.first(), driving, imbalance,
-            contact
-        },
-        known
-    );
-    if (!known)
+    const capsule::energyBudget budget(system, rate);
+    writeRow(budget, known);
+    if (known)
+    {
+        warnOfImbalance(budget);
+    }
+    else
     {
         warnOfUnknown();
-        return true;
-    }
-    if (mag(imbalance) > max(largestImbalance_*fed, rest_*bodies.second()))
-    {
-        WarningInFunction
-            << "Power of " << imbalance
-            << unit() << " is out of balance, but "
-            << fed << " feed the flow: the mesh does not resolve it, or a"
-            << " boundary condition follows the flow, which still changes"
-            << endl;
     }
     return true;
 }

@@ -66,7 +66,7 @@ void Foam::functionObjects::extraPressureDrop::readPatches
 )
 {
     const bool named = dict.found("inlet") || dict.found("outlet");
-    if (membranes().driving().type() != capsule::drivingForce::typeName)
+    if (membranes().fluid().driving().type() != capsule::drivingForce::typeName)
     {
         if (named)
         {
@@ -101,13 +101,6 @@ void Foam::functionObjects::extraPressureDrop::readPatches
             << "Entries inlet and outlet are the same patch; they must differ"
             << exit(FatalIOError);
     }
-}
-
-
-const Foam::capsule::membraneSystem&
-Foam::functionObjects::extraPressureDrop::membranes() const
-{
-    return mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
 }
 
 
@@ -243,7 +236,7 @@ Foam::scalar Foam::functionObjects::extraPressureDrop::extraDrop() const
         const capsule::rigidBody& body = system.body(i);
         power += equivalentPower
         (
-            body.stepSurface(), body.fit(), body.history().now().force
+            body.surface(), body.fit(), body.history().now().force
         );
     }
     return power/flux_;
@@ -259,8 +252,7 @@ Foam::functionObjects::extraPressureDrop::extraPressureDrop
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, typeName, dict),
+    systemFunction(name, runTime, dict, typeName),
     inlet_(-1),
     outlet_(-1),
     mu_(0),
@@ -269,13 +261,12 @@ Foam::functionObjects::extraPressureDrop::extraPressureDrop
 {
     read(dict);
 
-    file().precision(12);
-    writeHeader(file(), "Pressure drop [Pa]");
-    writeCommented(file(), "Time");
-    writeTabbed(file(), "drop");
-    writeTabbed(file(), "emptyDrop");
-    writeTabbed(file(), "extraDrop");
-    file() << endl;
+    writeHead
+    (
+        file(),
+        "Pressure drop [Pa]",
+        List<const char*>{"drop", "emptyDrop", "extraDrop"}
+    );
 }
 
 
@@ -284,22 +275,8 @@ Foam::functionObjects::extraPressureDrop::extraPressureDrop
 bool Foam::functionObjects::extraPressureDrop::read(const dictionary& dict)
 {
     readPatches(dict);
-    capsule::input::warnOfOthers
-    (
-        dict,
-        capsule::input::joined
-        (
-            capsule::input::functionObjectEntries(),
-            {"inlet", "outlet"}
-        )
-    );
-    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
-}
-
-
-bool Foam::functionObjects::extraPressureDrop::execute()
-{
-    return true;
+    warnOfOthers(dict, {"inlet", "outlet"});
+    return systemFunction::read(dict);
 }
 
 
@@ -313,7 +290,7 @@ bool Foam::functionObjects::extraPressureDrop::write()
     scalar empty = emptyDrop_;
     if (driven())
     {
-        now = membranes().driving().force() & period();
+        now = membranes().fluid().driving().force() & period();
         empty *= flux(mesh_.lookupObject<volVectorField>("U"))/flux_;
     }
     else

@@ -117,7 +117,7 @@ void Foam::functionObjects::extraPressureDrop::solveEmpty()
     flow->begin(UEqn);
     if (driven())
     {
-        givenForce driving(membranes().driving().force());
+        givenForce driving(membranes().fluid().driving().force());
         flow->solve(UEqn, nullptr, driving);
         emptyDrop_ = driving.force() & period();
         flux_ = flux(U);

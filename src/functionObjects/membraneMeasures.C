@@ -70,13 +70,6 @@ static void writeGap(const scalar gap, Ostream& os)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-const Foam::capsule::membraneSystem&
-Foam::functionObjects::membraneMeasures::membranes() const
-{
-    return mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
-}
-
-
 Foam::List<const char*>
 Foam::functionObjects::membraneMeasures::columns() const
 {
@@ -238,8 +231,7 @@ Foam::functionObjects::membraneMeasures::membraneMeasures
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name),
+    systemFunction(name, runTime, dict),
     lines_(false)
 {
     read(dict);
@@ -250,23 +242,9 @@ Foam::functionObjects::membraneMeasures::membraneMeasures
 
 bool Foam::functionObjects::membraneMeasures::read(const dictionary& dict)
 {
-    capsule::input::warnOfOthers
-    (
-        dict,
-        capsule::input::joined
-        (
-            capsule::input::functionObjectEntries(),
-            {"lines"}
-        )
-    );
+    warnOfOthers(dict, {"lines"});
     lines_ = capsule::input::getOrDefault<bool>(dict, "lines", false);
-    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
-}
-
-
-bool Foam::functionObjects::membraneMeasures::execute()
-{
-    return true;
+    return systemFunction::read(dict);
 }
 
 
@@ -295,14 +273,7 @@ bool Foam::functionObjects::membraneMeasures::write()
         forAll(files_, i)
         {
             files_.set(i, newFileAtStartTime(system[i].name()));
-            files_[i].precision(12);
-            writeHeader(files_[i], "Membrane " + system[i].name());
-            writeCommented(files_[i], "Time");
-            for (const char* column : columns())
-            {
-                writeTabbed(files_[i], column);
-            }
-            files_[i] << endl;
+            writeHead(files_[i], "Membrane " + system[i].name(), columns());
         }
     }
 

@@ -37,32 +37,22 @@ Foam::functionObjects::wallStress::wallStress
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, typeName, dict)
+    systemFunction(name, runTime, dict, typeName)
 {
     read(dict);
 
-    file().precision(12);
-    writeHeader
+    writeHead
     (
         file(),
         "Shear stress [Pa], and force per thickness [N/m],"
-        " in a wedge of the whole turn [N], along the axis only, in space [N]"
-    );
-    writeCommented(file(), "Time");
-    for
-    (
-        const char* column :
+        " in a wedge of the whole turn [N], along the axis only, in space [N]",
+        List<const char*>
         {
             "patch", "minShear", "maxShear",
             "pressureX", "pressureY", "pressureZ",
             "viscousX", "viscousY", "viscousZ"
         }
-    )
-    {
-        writeTabbed(file(), column);
-    }
-    file() << endl;
+    );
 }
 
 
@@ -70,15 +60,7 @@ Foam::functionObjects::wallStress::wallStress
 
 bool Foam::functionObjects::wallStress::read(const dictionary& dict)
 {
-    capsule::input::warnOfOthers
-    (
-        dict,
-        capsule::input::joined
-        (
-            capsule::input::functionObjectEntries(),
-            {"patches"}
-        )
-    );
+    warnOfOthers(dict, {"patches"});
 
     const polyBoundaryMesh& boundary = mesh_.boundaryMesh();
     DynamicList<label> found;
@@ -118,24 +100,17 @@ bool Foam::functionObjects::wallStress::read(const dictionary& dict)
     }
     patches_ = found;
 
-    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
-}
-
-
-bool Foam::functionObjects::wallStress::execute()
-{
-    return true;
+    return systemFunction::read(dict);
 }
 
 
 bool Foam::functionObjects::wallStress::write()
 {
-    const auto& system =
-        mesh_.lookupObject<capsule::membraneSystem>("membraneProperties");
+    const capsule::membraneSystem& system = membranes();
     const auto& p = mesh_.lookupObject<volScalarField>("p");
     const scalar sector = system.directions().sector();
-    const volTensorField gradient(system.velocityGradient());
-    const volScalarField viscosity(system.viscosity());
+    const volTensorField gradient(system.fluid().velocityGradient());
+    const volScalarField viscosity(system.fluid().viscosity());
 
     volVectorField shear
     (

@@ -190,16 +190,21 @@ void Foam::capsule::diffuseMembrane::start(const volVectorField& U)
 }
 
 
-void Foam::capsule::diffuseMembrane::predict(const couplingMethod& method)
+void Foam::capsule::diffuseMembrane::predict
+(
+    const closedSurface& predicted,
+    const couplingMethod& method
+)
 {
-    const closedSurface predictedCurve(predictedSurface());
-    extrapolateState(predictedCurve.nodes());
-    place(predictedCurve.nodes());
-    setMotion(predictedCurve, method);
+    addMomentum();
+    membrane_.history().advance(predicted.nodes(), mesh_.time());
+    setFlowScheme();
+    place(predicted.nodes());
+    setMotion(predicted, method);
     if (!method.implicitStress())
     {
         membrane_.now().force =
-            membrane_.force(predictedCurve, surface().areaElement());
+            membrane_.force(predicted, surface().areaElement());
     }
 }
 
@@ -225,6 +230,7 @@ void Foam::capsule::diffuseMembrane::setJacobians(const couplingMethod& method)
 
 void Foam::capsule::diffuseMembrane::restore()
 {
+    membrane_.history().restore();
     immersedMembrane::restore();
     place(membrane_.now().interface);
 }

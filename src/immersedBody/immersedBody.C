@@ -9,7 +9,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "immersedBody.H"
-#include "input.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -21,38 +20,12 @@ namespace capsule
 }
 }
 
-const Foam::Enum<Foam::capsule::immersedBody::levelSetWritten>
-Foam::capsule::immersedBody::levelSetNames_
-({
-    { levelSetWritten::none, "none" },
-    { levelSetWritten::near, "near" },
-    { levelSetWritten::whole, "whole" },
-});
-
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
-
-void Foam::capsule::immersedBody::setSurroundings()
-{
-    rho_ = density_*outerScale();
-    mu_ = viscosity_*outerViscousScale();
-}
-
 
 void Foam::capsule::immersedBody::setFlowScheme()
 {
     flowScheme_.reset(new timeScheme(mesh_, "ddt(U)", history().nOld()));
-}
-
-
-Foam::capsule::closedSurface
-Foam::capsule::immersedBody::predictedSurface() const
-{
-    return closedSurface
-    (
-        basis(),
-        predicted(mesh_.time().deltaTValue(), mesh_.time().deltaT0Value())
-    );
 }
 
 
@@ -67,27 +40,11 @@ Foam::capsule::immersedBody::immersedBody
     const scalar viscosity
 )
 :
-    levelSet_(levelSetWritten::near),
-    density_(density),
-    viscosity_(viscosity),
-    outer_(nullptr),
+    levelSetWriter_(dict),
     mesh_(mesh),
     directions_(directions),
-    rho_(density),
-    mu_(viscosity)
-{
-    if (dict.found("levelSet"))
-    {
-        const word written(input::get<word>(dict, "levelSet"));
-        if (!levelSetNames_.found(written))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry levelSet is " << written << "; permitted: "
-                << flatOutput(levelSetNames_.toc()) << exit(FatalIOError);
-        }
-        levelSet_ = levelSetNames_[written];
-    }
-}
+    around_(density, viscosity)
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -110,9 +67,16 @@ Foam::capsule::solvedVector
 Foam::capsule::immersedBody::pressureOrigin() const
 {
     return
-        outer_
-      ? levelSet().image(directions_.toPoint(outer_->pressureOrigin()))
+        outer()
+      ? levelSet().image(directions_.toPoint(outer()->pressureOrigin()))
       : levelSet().centre();
+}
+
+
+Foam::capsule::closedSurface
+Foam::capsule::immersedBody::predictedSurface() const
+{
+    return closedSurface(basis(), predicted());
 }
 
 
@@ -126,47 +90,10 @@ Foam::scalar Foam::capsule::immersedBody::offset() const
 }
 
 
-Foam::capsule::nodalVectors Foam::capsule::immersedBody::pointsOf
-(
-    const nodalScalars&
-) const
-{
-    NotImplemented;
-    return nodalVectors();
-}
-
-
-Foam::capsule::nodalMatrix Foam::capsule::immersedBody::pointsChange
-(
-    const nodalMatrix&
-) const
-{
-    NotImplemented;
-    return nodalMatrix();
-}
-
-
-Foam::capsule::nodalMatrix Foam::capsule::immersedBody::loaded
-(
-    const nodalMatrix&
-) const
-{
-    NotImplemented;
-    return nodalMatrix();
-}
-
-
 void Foam::capsule::immersedBody::write() const
 {
     history().write(mesh_.time());
-    if (levelSet_ == levelSetWritten::near)
-    {
-        levelSet().near()().write();
-    }
-    else if (levelSet_ == levelSetWritten::whole)
-    {
-        levelSet().whole()().write();
-    }
+    levelSetWriter_.write(levelSet());
 }
 
 

@@ -28,33 +28,12 @@ const Foam::scalar Foam::capsule::immersedMembrane::maxMove_ = 2;
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-void Foam::capsule::immersedMembrane::extrapolateState(const nodalVectors& nodes)
+void Foam::capsule::immersedMembrane::addMomentum()
 {
     if (layer_.valid())
     {
         layer_->add(membrane_, mesh_.time().deltaT0Value());
     }
-    membrane_.history().advance(nodes, mesh_.time());
-    setFlowScheme();
-}
-
-
-Foam::scalar Foam::capsule::immersedMembrane::forceNoise
-(
-    const closedSurface& at
-) const
-{
-    // A wave from point to point, along and across the membrane, small against
-    // the distance of the points
-    const scalar height = 1e-4*at.meanRadius()*basis().spacing();
-    nodalVectors x(at.nodes());
-    x.colwise() += height*basis().shortestWave();
-    x = basis().symmetric(x);
-    const nodalVectors change =
-        membrane_.force(closedSurface(membrane_.basis(), x), at.areaElement())
-      - membrane_.force(at, at.areaElement());
-
-    return outerScale()*SMALL*at.nodes().cwiseAbs().maxCoeff()/height*rms(change);
 }
 
 
@@ -99,17 +78,16 @@ void Foam::capsule::immersedMembrane::setResponse
 {
     const closedSurface predictedCurve(basis(), predictedPoints_);
     explicitForce_ = force(predictedCurve);
-    forceNoise_ = forceNoise(predictedCurve);
-    fluidJacobian_ = fluidJacobian;
-    mobility_ = mobility;
+    noise_.setPoints(membrane_, predictedCurve, around_.scale());
+    tangent_.setFluid(mobility, fluidJacobian);
     if (implicit_ && method.usesResponse())
     {
-        displacementResponse_ = motion_->displacements(mobility_);
+        tangent_.setDisplacements(motion_->displacements(mobility));
         linearise(surface(), false);
     }
     else
     {
-        derivative_.compute(fluidJacobian_);
+        tangent_.linearise();
     }
 }
 
@@ -127,9 +105,7 @@ Foam::capsule::immersedMembrane::immersedMembrane
 )
 :
     immersedBody(dict, directions, mesh, density, viscosity),
-    forceNoise_(0),
     implicit_(true),
-    noise_(0),
     membrane_(name, dict, directions, mesh),
     ratio_(membrane_.viscosity()/viscosity)
 {
@@ -183,41 +159,19 @@ void Foam::capsule::immersedMembrane::setOuter(const immersedBody& outer)
 }
 
 
-Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted
-(
-    const scalar dt,
-    const scalar dt0
-) const
+Foam::capsule::nodalVectors Foam::capsule::immersedMembrane::predicted() const
 {
-    const interfaceState& now = membrane_.now();
+    const Time& time = mesh_.time();
 
-    if (membrane_.nOld() > 0)
-    {
-        const interfaceState& old = membrane_.old(0);
-        nodalVectors x = now.x + dt/dt0*(now.x - old.x);
-        if (membrane_.nOld() > 1 && !unsteady())
-        {
-            // Along their curved paths
-            x += 0.5*dt*(1 + dt/dt0)*(now.velocity - old.velocity);
-        }
-        return x;
-    }
-    nodalVectors velocity = now.velocity;
-    const nodalVectors w = membraneMotion::excess
+    return membraneMotion::predicted
     (
-        membrane_, membrane_.surface(), velocity, 0.25/dt
+        membrane_, time.deltaTValue(), time.deltaT0Value(), unsteady()
     );
-    if (w.size())
-    {
-        velocity += w;
-    }
-    return now.x + dt*velocity;
 }
 
 
 void Foam::capsule::immersedMembrane::restore()
 {
-    membrane_.history().restore();
     setFlowScheme();
     setMembraneScheme();
     // Its curve goes with the interface
@@ -257,8 +211,8 @@ void Foam::capsule::immersedMembrane::correct
     fluidResponse_.resize(2*n + other.size());
     fluidResponse_ << basis().pack(fluid), basis().pack(rest), other;
 
-    const scalar shear = (1 + ratio_)*mu_*rms(now.velocity)/levelSet().width();
-    noise_ = 10*forceNoise_ + 100*SMALL*(rms(now.force) + rms(contrast) + shear);
+    const scalar shear = (1 + ratio_)*around_.mu()*rms(now.velocity)/levelSet().width();
+    noise_.setStresses(rms(now.force) + rms(contrast) + shear);
 }
 
 
@@ -274,15 +228,15 @@ Foam::capsule::immersedMembrane::remaining
     const nodalVectors F = basis().unpack(residual.head(n) - rest);
     const scalar size =
         rms(F)
-      + 0.5*(1 + ratio_)*mu_*rms(surface().gradients(history().now().velocity))
+      + 0.5*(1 + ratio_)*around_.mu()*rms(surface().gradients(history().now().velocity))
       + VSMALL;
 
     imbalance result;
     const scalar rmsChange =
         change.norm()
        /Foam::sqrt(change.size()/scalar(basis().nComponents()));
-    result.stress = max(rmsChange - noise_, scalar(0))/size;
-    result.displacement = cells(mobility_*change.head(n));
+    result.stress = max(rmsChange - noise_.value(), scalar(0))/size;
+    result.displacement = cells(mobility()*change.head(n));
     return result;
 }
 
@@ -293,7 +247,7 @@ Foam::scalar Foam::capsule::immersedMembrane::momentumThickness() const
 
     return
         layer_.valid()
-      ? layer_->thickness(membrane_, min(ratio_, scalar(1))*mu_/rho_, width)/width
+      ? layer_->thickness(membrane_, min(ratio_, scalar(1))*around_.mu()/around_.rho(), width)/width
       : GREAT;
 }
 

@@ -37,16 +37,16 @@ void Foam::capsule::immersedMembrane::linearise
 {
     // Forces are per area of the step's interface
     const nodalScalars area =
-        outerScale()*at.areaElement().cwiseQuotient(surface().areaElement());
+        around_.scale()*at.areaElement().cwiseQuotient(surface().areaElement());
     const label n = basis().nPacked();
-    forceJacobian_ = membrane_.forceJacobian(at, fullTangent);
+    nodalMatrix forceJacobian = membrane_.forceJacobian(at, fullTangent);
     for (label i = 0; i < basis().nComponents(); ++i)
     {
-        forceJacobian_.middleRows(i*n, n) =
-            basis().multiplied(area, forceJacobian_.middleRows(i*n, n));
+        forceJacobian.middleRows(i*n, n) =
+            basis().multiplied(area, forceJacobian.middleRows(i*n, n));
     }
-    motion_->restoreVolume(at, forceJacobian_);
-    derivative_.compute(fluidJacobian_ - forceJacobian_*displacementResponse_);
+    motion_->restoreVolume(at, forceJacobian);
+    tangent_.linearise(forceJacobian);
 }
 
 
@@ -102,7 +102,8 @@ Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::residualChange
     nodalMatrix result = dy.bottomRows(dy.rows() - n);
     if (implicit_)
     {
-        result.topRows(n) += forceJacobian_*motion_->displacements(dy.topRows(n));
+        result.topRows(n) +=
+            tangent_.forceChange(motion_->displacements(dy.topRows(n)));
     }
     return result;
 }
@@ -121,7 +122,7 @@ Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::correction
     {
         // One by one: they are few
         result.col(j).head(n) =
-            derivative_.solve(nodalScalars(residual.col(j).head(n)));
+            tangent_.correction(residual.col(j).head(n));
         if (others)
         {
             result.col(j).tail(others) = inertiaCorrection
@@ -143,7 +144,7 @@ Foam::capsule::nodalScalars Foam::capsule::immersedMembrane::responseChange
     const nodalScalars other = inertiaResidualChange(dx);
 
     nodalScalars result(2*df.size() + other.size());
-    result << mobility_*df, -(fluidJacobian_*df), other;
+    result << mobility()*df, tangent_.restChange(df), other;
     return result;
 }
 
@@ -172,6 +173,6 @@ Foam::capsule::nodalMatrix Foam::capsule::immersedMembrane::loaded
 ) const
 {
     nodalMatrix result = nodalMatrix::Zero(nUnknowns(), forces.cols());
-    result.topRows(nForce()) = outerScale()*forces;
+    result.topRows(nForce()) = around_.scale()*forces;
     return result;
 }

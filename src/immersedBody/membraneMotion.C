@@ -68,6 +68,37 @@ Foam::capsule::membraneMotion::membraneMotion
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::capsule::nodalVectors Foam::capsule::membraneMotion::predicted
+(
+    const membrane& body,
+    const scalar dt,
+    const scalar dt0,
+    const bool unsteady
+)
+{
+    const interfaceState& now = body.now();
+
+    if (body.nOld() > 0)
+    {
+        const interfaceState& old = body.old(0);
+        nodalVectors x = now.x + dt/dt0*(now.x - old.x);
+        if (body.nOld() > 1 && !unsteady)
+        {
+            // Along their curved paths
+            x += 0.5*dt*(1 + dt/dt0)*(now.velocity - old.velocity);
+        }
+        return x;
+    }
+    nodalVectors velocity = now.velocity;
+    const nodalVectors w = excess(body, body.surface(), velocity, 0.25/dt);
+    if (w.size())
+    {
+        velocity += w;
+    }
+    return now.x + dt*velocity;
+}
+
+
 Foam::capsule::nodalScalars Foam::capsule::membraneMotion::excess
 (
     const closedSurface& curve,

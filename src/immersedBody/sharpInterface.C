@@ -83,7 +83,7 @@ void Foam::capsule::sharpInterface::setJumps
 
 Foam::capsule::sharpInterface::sharpInterface
 (
-    const interfaceHistory& history,
+    interfaceHistory& history,
     const surfaceBasis& basis,
     const solvedDirections& directions,
     const fvMesh& mesh,
@@ -117,21 +117,18 @@ void Foam::capsule::sharpInterface::start
 }
 
 
-Foam::capsule::nodalVectors Foam::capsule::sharpInterface::smoothed
-(
-    const closedSurface& predicted
-) const
-{
-    return levelSet().filter(predicted, shapeWaves_)*predicted.nodes();
-}
-
-
 void Foam::capsule::sharpInterface::advance
 (
+    const closedSurface& predicted,
     const bool unsteady,
     const scalar mu
 )
 {
+    history_.advance
+    (
+        levelSet().filter(predicted, shapeWaves_)*predicted.nodes(),
+        mesh_.time()
+    );
     if (unsteady)
     {
         old_[1].reset(old_[0].release());
@@ -150,6 +147,7 @@ void Foam::capsule::sharpInterface::advance
 
 void Foam::capsule::sharpInterface::restore(const scalar mu)
 {
+    history_.restore();
     if (old_[0].valid())
     {
         interface_.reset(old_[0].release());

@@ -28,9 +28,9 @@ namespace capsule
 
 void Foam::capsule::sharpMembrane::setLiquids()
 {
-    setSurroundings();
-    liquids_.density = rho_;
-    liquids_.viscosity = mu_;
+    around_.setStep();
+    liquids_.density = around_.rho();
+    liquids_.viscosity = around_.mu();
     liquids_.ratio = ratio_;
 }
 
@@ -39,10 +39,10 @@ void Foam::capsule::sharpMembrane::setScale()
 {
     if (liquids_.contrast())
     {
-        const scalar inertia = rho_*flowScheme().c*sqr(levelSet().width());
+        const scalar inertia = around_.rho()*flowScheme().c*sqr(levelSet().width());
         liquids_.scaling = momentumScaling
         (
-            ratio_, inertia > 0 ? mu_/inertia : GREAT
+            ratio_, inertia > 0 ? around_.mu()/inertia : GREAT
         );
     }
 }
@@ -162,7 +162,7 @@ void Foam::capsule::sharpMembrane::start(const volVectorField& U)
     U_ = &U;
     setLiquids();
     interfaceState& now = membrane_.now();
-    interface_.start(unsteady(), mu_);
+    interface_.start(unsteady(), around_.mu());
     setScale();
     if (membrane_.nOld() == 0)
     {
@@ -170,7 +170,7 @@ void Foam::capsule::sharpMembrane::start(const volVectorField& U)
         {
             // No boundary layers yet
             now.inertia = -inertia_.viscousForce(now);
-            interface_.setJumps(now, mu_);
+            interface_.setJumps(now, around_.mu());
         }
         // No velocity yet but that of the initial field
         now.velocity = fit()(U, nullptr).value;
@@ -178,12 +178,16 @@ void Foam::capsule::sharpMembrane::start(const volVectorField& U)
 }
 
 
-void Foam::capsule::sharpMembrane::predict(const couplingMethod& method)
+void Foam::capsule::sharpMembrane::predict
+(
+    const closedSurface& predicted,
+    const couplingMethod& method
+)
 {
     setLiquids();
-    const closedSurface predicted(predictedSurface());
-    extrapolateState(interface_.smoothed(predicted));
-    interface_.advance(unsteady(), mu_);
+    addMomentum();
+    interface_.advance(predicted, unsteady(), around_.mu());
+    setFlowScheme();
     fluid_ = oneSidedFit::fitted();
 
     setScale();
@@ -204,7 +208,7 @@ void Foam::capsule::sharpMembrane::setJacobians(const couplingMethod& method)
     (
         method,
         contrast_.fluidJacobian(method.usesResponse()),
-        freeSpaceResponse::singleLayer(surface(), mu_)
+        freeSpaceResponse::singleLayer(surface(), around_.mu())
     );
 }
 
@@ -227,8 +231,8 @@ Foam::capsule::sharpMembrane::unresolvedResponse() const
 
 void Foam::capsule::sharpMembrane::restore()
 {
+    interface_.restore(around_.mu());
     immersedMembrane::restore();
-    interface_.restore(mu_);
 }
 
 
@@ -269,7 +273,7 @@ void Foam::capsule::sharpMembrane::addSources
     const bool first = (fluid_.value.rows() == 0);
     if (!flux || first)
     {
-        interface_.setJumps(f, m, nodalScalars::Zero(membrane_.size()), mu_);
+        interface_.setJumps(f, m, nodalScalars::Zero(membrane_.size()), around_.mu());
     }
     if (flux)
     {
@@ -277,10 +281,10 @@ void Foam::capsule::sharpMembrane::addSources
         {
             fluid_ = fit()(*U_, nullptr);
         }
-        interface_.setJumps(f, m, inertia_.pressureLaplacian(fluid_), mu_);
+        interface_.setJumps(f, m, inertia_.pressureLaplacian(fluid_), around_.mu());
         interface_.addConvection
         (
-            *flux, rho_/outerScale(), scale, sources.momentum
+            *flux, around_.rho()/around_.scale(), scale, sources.momentum
         );
     }
 
@@ -288,7 +292,7 @@ void Foam::capsule::sharpMembrane::addSources
     interface_.addSources
     (
         sources,
-        mu_,
+        around_.mu(),
         liquids_.scaling.viscousScale(),
         inertia_.unknown() ? nullptr : &resultant
     );

@@ -106,7 +106,7 @@ Foam::capsule::nodalVectors Foam::capsule::viscosityContrast::force
     const scalar lambda = liquids_.ratio;
     const momentumScaling& scaling = liquids_.scaling;
 
-    // The real pressure, scaled: see membraneSystem, driven flow
+    // The real pressure, scaled: see scaledFluid, driven flow
     nodalScalars pressure = fluid.pressure(mu) - drivingPressure;
     nodalVectors viscous = fluid.viscous(n, mu);
     nodalVectors vorticity = mu*fluid.vorticity(n);

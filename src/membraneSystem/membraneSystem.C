@@ -77,6 +77,64 @@ Foam::capsule::membraneSystem::remaining
 }
 
 
+Foam::PtrList<Foam::capsule::closedSurface>
+Foam::capsule::membraneSystem::predictedSurfaces() const
+{
+    PtrList<closedSurface> surfaces(parts_.size());
+    forAll(parts_, i)
+    {
+        surfaces.set(i, new closedSurface(parts_[i].predictedSurface()));
+    }
+    return surfaces;
+}
+
+
+void Foam::capsule::membraneSystem::place
+(
+    const PtrList<closedSurface>& predicted
+)
+{
+    // What cannot be placed is an error on all processors alike
+    const bool throwing = FatalError.throwExceptions();
+    try
+    {
+        forAll(parts_, i)
+        {
+            ++nMoved_;
+            parts_[i].predict(predicted[i], *method_);
+        }
+        placed_ = true;
+    }
+    catch (const Foam::error& wrong)
+    {
+        failure_ =
+            parts_[nMoved_ - 1].called()
+          + " cannot be placed: " + wrong.message();
+    }
+    FatalError.throwExceptions(throwing);
+}
+
+
+void Foam::capsule::membraneSystem::setJacobians()
+{
+    // Not where they are placed, which is the work of all processors together
+    forAll(parts_, i)
+    {
+        if (ownership::owns(i))
+        {
+            parts_[i].setJacobians(*method_);
+        }
+    }
+    if (contact_.valid())
+    {
+        contactResidual_->start
+        (
+            method_->implicitStress(), method_->usesResponse()
+        );
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 const Foam::capsule::rigidBody& Foam::capsule::membraneSystem::body
@@ -100,74 +158,23 @@ void Foam::capsule::membraneSystem::predict()
 
     addProfiling(predict, "capsule::membraneSystem::predict");
 
-    failure_ = predictedObstacle();
+    const PtrList<closedSurface> predicted(predictedSurfaces());
+    failure_ = resolution_->predictedObstacle(predicted);
     if (!failure_.empty())
     {
         return;
     }
-
     if (contact_.valid())
     {
-        const Time& time = mesh_.time();
-        PtrList<closedSurface> surfaces(parts_.size());
-        forAll(parts_, i)
-        {
-            surfaces.set
-            (
-                i,
-                new closedSurface
-                (
-                    parts_[i].basis(),
-                    parts_[i].predicted(time.deltaTValue(), time.deltaT0Value())
-                )
-            );
-        }
-        contactResidual_->find(surfaces);
+        contactResidual_->find(predicted);
     }
-
-    // What cannot be placed is an error on all processors alike
-    const bool throwing = FatalError.throwExceptions();
-    try
+    place(predicted);
+    if (placed_)
     {
-        for (immersedBody& m : parts_)
-        {
-            ++nMoved_;
-            m.predict(*method_);
-        }
-        placed_ = true;
+        fluid_.setStep();
+        setJacobians();
+        method_->start();
     }
-    catch (const Foam::error& wrong)
-    {
-        failure_ =
-            parts_[nMoved_ - 1].called()
-          + " cannot be placed: " + wrong.message();
-    }
-    FatalError.throwExceptions(throwing);
-    if (!placed_)
-    {
-        return;
-    }
-
-    setScale();
-    setViscosity();
-    setFreshCells();
-
-    // Not where they are placed, which is the work of all processors together
-    forAll(parts_, i)
-    {
-        if (ownership::owns(i))
-        {
-            parts_[i].setJacobians(*method_);
-        }
-    }
-    if (contact_.valid())
-    {
-        contactResidual_->start
-        (
-            method_->implicitStress(), method_->usesResponse()
-        );
-    }
-    method_->start();
 }
 
 
@@ -196,13 +203,7 @@ bool Foam::capsule::membraneSystem::loop()
     }
 
     ++iter_;
-    flowEquations::sources& sources = fields_->sources;
-    sources.clear();
-    for (immersedBody& m : parts_)
-    {
-        m.addSources(sources, flux_.get(), fields_->scale);
-    }
-    sources.momentum += fields_->freshCells;
+    fluid_.setSources();
     return true;
 }
 
@@ -216,13 +217,13 @@ void Foam::capsule::membraneSystem::correct(const bool solved)
 
     addProfiling(correct, "capsule::membraneSystem::correct");
 
-    const solvedVector driving = directions_(driving_.force());
+    const solvedVector driving = directions_(fluid_.driving().force());
     scalar offset = 0;
 
     shareUnresolved();
     for (immersedBody& m : parts_)
     {
-        m.correct(U_, scaledPressure(), driving);
+        m.correct(fluid_.U(), fluid_.scaledPressure(), driving);
         offset = max(offset, m.offset());
     }
     combinedResidual& residual =
@@ -274,6 +275,15 @@ Foam::capsule::membraneSystem::contactForces() const
 }
 
 
+void Foam::capsule::membraneSystem::setInsideOfBodies(surfaceScalarField& phi)
+{
+    for (label i = nMembranes_; i < parts_.size(); ++i)
+    {
+        parts_[i].setInside(fluid_.U(), phi);
+    }
+}
+
+
 void Foam::capsule::membraneSystem::restore()
 {
     for (label i = 0; i < nMoved_; ++i)
@@ -282,7 +292,7 @@ void Foam::capsule::membraneSystem::restore()
     }
     if (nMoved_ > 0)
     {
-        setScale();
+        fluid_.setScale();
     }
     nMoved_ = 0;
     placed_ = false;
@@ -305,10 +315,13 @@ bool Foam::capsule::membraneSystem::read()
 
 void Foam::capsule::membraneSystem::write() const
 {
-    warnOfResolution();
+    if (size())
+    {
+        resolution_->warn();
+    }
     for (const immersedBody& m : parts_)
     {
         m.write();
     }
-    kineticEnergyRate::write(U_, rho_);
+    kineticEnergyRate::write(fluid_.U(), fluid_.density());
 }

@@ -43,8 +43,8 @@ void Foam::capsule::membraneSystem::readMembranes()
                 e.dict(),
                 directions_,
                 mesh_,
-                rho_,
-                mu_
+                fluid_.density(),
+                fluid_.outerViscosity()
             )
         );
         ++nMembranes_;
@@ -77,7 +77,12 @@ void Foam::capsule::membraneSystem::readBodies()
         (
             new rigidBody
             (
-                e.keyword(), e.dict(), directions_, mesh_, rho_, mu_
+                e.keyword(),
+                e.dict(),
+                directions_,
+                mesh_,
+                fluid_.density(),
+                fluid_.outerViscosity()
             )
         );
     }
@@ -86,23 +91,16 @@ void Foam::capsule::membraneSystem::readBodies()
 
 void Foam::capsule::membraneSystem::nest()
 {
-    clearance_.reset(new clearance(mesh_, directions_));
-    List<surfaceSamples> samples(parts_.size());
-    forAll(parts_, i)
-    {
-        samples[i] = clearance_->samples(parts_[i].presentSurface());
-    }
-    nesting_ = nesting(*clearance_, samples);
-    const labelList newPlace(nesting_.sort(nMembranes_));
-    parts_.reorder(newPlace);
-    inplaceReorder(newPlace, samples);
+    resolution_.reset(new resolution(mesh_, directions_, parts_));
+    parts_.reorder(resolution_->sort(nMembranes_));
+    const List<surfaceSamples> samples(resolution_->samples());
 
     forAll(parts_, i)
     {
         const dictionary& dict =
             subDict(i < nMembranes_ ? "membranes" : "bodies")
            .subDict(parts_[i].name());
-        const label outer = nesting_.outer(i);
+        const label outer = resolution_->outer(i);
         if (outer >= nMembranes_ || (outer >= 0 && !parts_[i].forceFree()))
         {
             FatalIOErrorInFunction(dict)
@@ -116,7 +114,8 @@ void Foam::capsule::membraneSystem::nest()
         {
             parts_[i].setOuter(parts_[outer]);
         }
-        const string near = obstacle(i, samples, clearance::least);
+        const string near =
+            resolution_->obstacle(i, samples, clearance::least);
         if (!near.empty())
         {
             FatalIOErrorInFunction(dict)
@@ -134,23 +133,23 @@ void Foam::capsule::membraneSystem::nest()
 
 void Foam::capsule::membraneSystem::setResidual()
 {
-    UPtrList<interfaceResidual> residuals(size());
-    UPtrList<immersedBody> bodies(size());
-    forAll(parts_, i)
-    {
-        residuals.set(i, &parts_[i]);
-        bodies.set(i, &parts_[i]);
-    }
     contact_ = contact::New(*this, mesh_, directions_);
     if (contact_.valid())
     {
-        contactResidual_.reset
-        (
-            new contactResidual(*contact_, residuals, bodies)
-        );
+        UPtrList<contactBody> bodies(size());
+        forAll(parts_, i)
+        {
+            bodies.set(i, &parts_[i]);
+        }
+        contactResidual_.reset(new contactResidual(*contact_, bodies));
     }
     else
     {
+        UPtrList<interfaceResidual> residuals(size());
+        forAll(parts_, i)
+        {
+            residuals.set(i, &parts_[i]);
+        }
         residual_.reset(new combinedResidual(residuals));
     }
 }

@@ -13,6 +13,25 @@ License
 #include "timeScheme.H"
 #include "sigFpe.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::capsule::membraneSystem::checkSchemes() const
+{
+    input::warnOfOthers
+    (
+        mesh_.schemesDict().subDict("ddtSchemes"),
+        {"default", "ddt(U)", "ddt(membranes)"}
+    );
+    timeScheme(mesh_, "ddt(U)", 0);
+    if (timeScheme(mesh_, "ddt(membranes)", 0).c == 0)
+    {
+        FatalIOErrorInFunction(mesh_.schemesDict().subDict("ddtSchemes"))
+            << "Entry ddt(membranes) is steadyState; permitted: Euler,"
+            << " backward" << exit(FatalIOError);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::capsule::membraneSystem::membraneSystem
@@ -42,12 +61,11 @@ Foam::capsule::membraneSystem::membraneSystem
     ),
     mesh_(U.mesh()),
     directions_(mesh_),
-    U_(U),
-    pressure_(pressure),
-    rho_(rho.value()),
-    mu_(mu.value()),
-    driving_(driving),
     nMembranes_(0),
+    fluid_
+    (
+        parts_, directions_, U, pressure, rho.value(), mu.value(), driving
+    ),
     method_
     (
         // Wrong names may have taken the rest of the file with them
@@ -82,56 +100,19 @@ Foam::capsule::membraneSystem::membraneSystem
     nMoved_(0),
     placed_(false)
 {
-    // Wrong time schemes stop here, before the first step
-    input::warnOfOthers
-    (
-        mesh_.schemesDict().subDict("ddtSchemes"),
-        {"default", "ddt(U)", "ddt(membranes)"}
-    );
-    timeScheme(mesh_, "ddt(U)", 0);
-    if (timeScheme(mesh_, "ddt(membranes)", 0).c == 0)
-    {
-        FatalIOErrorInFunction(mesh_.schemesDict().subDict("ddtSchemes"))
-            << "Entry ddt(membranes) is steadyState; permitted: Euler,"
-            << " backward" << exit(FatalIOError);
-    }
-
+    checkSchemes();
     readMembranes();
     readBodies();
     if (size())
     {
         nest();
-        fields_.reset(new scaledFields(mesh_));
         setResidual();
     }
-    bool scaled = false;
     for (immersedBody& m : parts_)
     {
-        m.start(U_);
-        scaled = scaled || m.scale() != 1;
-        if (m.smeared())
-        {
-            fields_->sources.viscosity.reset
-            (
-                new volScalarField
-                (
-                    IOobject("viscosity", mesh_.time().timeName(), mesh_),
-                    mesh_,
-                    dimensionedScalar(dimPressure*dimTime, Zero)
-                )
-            );
-        }
+        m.start(fluid_.U());
     }
-    if (size())
-    {
-        setScale();
-    }
-    if (scaled)
-    {
-        scaledPressure_.reset(new volScalarField("pScaled", pressure));
-        *scaledPressure_ *= fields_->scale;
-        addDriven(*scaledPressure_, false);
-    }
+    fluid_.start();
 }
 
 

@@ -123,8 +123,8 @@ Foam::capsule::nodalScalars Foam::capsule::rigidBody::velocity() const
 
 void Foam::capsule::rigidBody::start(const volVectorField& U)
 {
-    setSurroundings();
-    interface_->start(unsteady(), mu_);
+    around_.setStep();
+    interface_->start(unsteady(), around_.mu());
     centre_ = surface().centroid();
     if (history_.nOld() == 0)
     {
@@ -144,30 +144,31 @@ void Foam::capsule::rigidBody::start(const volVectorField& U)
 }
 
 
-Foam::capsule::nodalVectors Foam::capsule::rigidBody::predicted
-(
-    const scalar dt,
-    const scalar dt0
-) const
+Foam::capsule::nodalVectors Foam::capsule::rigidBody::predicted() const
 {
+    const scalar dt = mesh_.time().deltaTValue();
+
     // By Adams and Bashforth: the body turns while it is led on
     nodalScalars V = velocity();
     if (history_.nOld() > 0)
     {
         const interfaceState& old = history_.old(0);
-        V += 0.5*dt/dt0
+        V += 0.5*dt/mesh_.time().deltaT0Value()
            *(V - shape_->velocityOf(old.x, placeOf(old).centre, old.velocity));
     }
     return shape_->nodes(shape_->moved(place(), dt*V));
 }
 
 
-void Foam::capsule::rigidBody::predict(const couplingMethod&)
+void Foam::capsule::rigidBody::predict
+(
+    const closedSurface& predicted,
+    const couplingMethod&
+)
 {
-    setSurroundings();
-    history_.advance(interface_->smoothed(predictedSurface()), mesh_.time());
+    around_.setStep();
+    interface_->advance(predicted, unsteady(), around_.mu());
     setFlowScheme();
-    interface_->advance(unsteady(), mu_);
     centre_ = surface().centroid();
     setResponse();
     if (unsteady())
@@ -179,9 +180,8 @@ void Foam::capsule::rigidBody::predict(const couplingMethod&)
 
 void Foam::capsule::rigidBody::restore()
 {
-    history_.restore();
+    interface_->restore(around_.mu());
     setFlowScheme();
-    interface_->restore(mu_);
 }
 
 
@@ -224,24 +224,24 @@ void Foam::capsule::rigidBody::addSources
         flux
       ? nodalScalars
         (
-           -rho_*interface_->gradientProductJump
+           -around_.rho()*interface_->gradientProductJump
             (
-                f, history_.now().velocity, mu_
+                f, history_.now().velocity, around_.mu()
             )
         )
       : nodalScalars(nodalScalars::Zero(surface().size())),
-        mu_
+        around_.mu()
     );
     if (flux)
     {
         interface_->addConvection
         (
-            *flux, rho_/outerScale(), scale, sources.momentum
+            *flux, around_.rho()/around_.scale(), scale, sources.momentum
         );
     }
     sourceMoment moment(*interface_, directions_, sources);
     const solvedVector resultant = surface().resultant(f);
-    interface_->addSources(sources, mu_, 1, &resultant);
+    interface_->addSources(sources, around_.mu(), 1, &resultant);
     if (surface().nRotations())
     {
         moment.correct(f, centre_);
@@ -266,7 +266,7 @@ void Foam::capsule::rigidBody::correct
     if (unsteady())
     {
         taken_ =
-            rho_
+            around_.rho()
            *(flowScheme().c*inside_->momentum(U) - oldMomentum());
     }
     fluidResponse_.resize(nResponse());
@@ -299,10 +299,10 @@ Foam::capsule::immersedBody::imbalance Foam::capsule::rigidBody::remaining
     const nodalVectors slip = basis_->unpack(slip_.velocity()*change);
     const scalar width = levelSet().width();
     const scalar stress =
-        rms(now.force + df) + mu_*rms(surface().gradients(now.velocity))
+        rms(now.force + df) + around_.mu()*rms(surface().gradients(now.velocity))
       + VSMALL;
     const scalar noise =
-        100*SMALL*(rms(now.force) + mu_*rms(now.velocity)/width);
+        100*SMALL*(rms(now.force) + around_.mu()*rms(now.velocity)/width);
 
     imbalance result;
     result.stress = max(rms(df) - noise, scalar(0))/stress;

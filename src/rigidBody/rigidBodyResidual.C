@@ -56,7 +56,7 @@ void Foam::capsule::rigidBody::setResponse()
         resultants.row(k) =
             basis_->packedWeights(scaled(area, mode)).transpose();
     }
-    slip_ = slipResponse(s, mu_, rho_*c);
+    slip_ = slipResponse(s, around_.mu(), around_.rho()*c);
     taken_ = given_ = nodalScalars::Zero(m);
 
     const scalar time = mesh_.time().value();
@@ -65,14 +65,14 @@ void Foam::capsule::rigidBody::setResponse()
         given_ = motion_.velocity(time);
         return;
     }
-    const scalar density = outerScale()*motion_.density();
+    const scalar density = around_.scale()*motion_.density();
     balance_ = rigidBalance
     (
         modes_,
         resultants,
         slip_,
         density*c*shape_->volumes(s),
-        outerScale()*motion_.load(time) + density*oldMomentum()
+        around_.scale()*motion_.load(time) + density*oldMomentum()
     );
 }
 
@@ -152,7 +152,7 @@ Foam::capsule::nodalScalars Foam::capsule::rigidBody::fluidForce() const
         const nodalVectors mode = shape_->mode(surface().nodes(), centre_, k);
         result(k) -= surface().integral(dot(mode, history_.now().force));
     }
-    return result/outerScale();
+    return result/around_.scale();
 }
 
 
@@ -163,7 +163,7 @@ Foam::scalar Foam::capsule::rigidBody::power() const
     if (unsteady() && taken_.size())
     {
         const nodalScalars delay =
-            rho_*(flowScheme().c*momentum(now) - oldMomentum()) - taken_;
+            around_.rho()*(flowScheme().c*momentum(now) - oldMomentum()) - taken_;
         result += delay.dot(velocity());
     }
     return result;
@@ -232,7 +232,7 @@ Foam::capsule::nodalMatrix Foam::capsule::rigidBody::loaded
         return nodalMatrix::Zero(nForce(), forces.cols());
     }
     return
-        slip_.force()*(modes_*balance_.loaded(outerScale()*forces));
+        slip_.force()*(modes_*balance_.loaded(around_.scale()*forces));
 }
 
 

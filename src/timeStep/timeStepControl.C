@@ -144,7 +144,7 @@ bool Foam::capsule::timeStepControl::repeat()
     const bool solved = flow_.failure().empty();
     if (balanced && solved && membranes_.converged())
     {
-        flow_.sayContinuityErrors(membranes_.sources());
+        flow_.sayContinuityErrors(membranes_.fluid().sources());
         grow();
         return false;
     }

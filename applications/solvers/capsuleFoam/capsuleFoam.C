@@ -23,7 +23,7 @@ Description
 
     Momentum is divided by mu/mu_out on each side, so that the matrices are
     those of one fluid; p is the scaled pressure while the equations are
-    solved, and pressure the real one, see membraneSystem.
+    solved, and pressure the real one, see scaledFluid.
 
 
 \*---------------------------------------------------------------------------*/
@@ -64,23 +64,7 @@ int main(int argc, char *argv[])
     );
 
     #include "setRootCaseLists.H"
-    // Until the files are read: a number beyond the range of a scalar is an
-    // error of its file, not a floating-point exception
-    sigFpe::ignore untrapped;
-    capsule::restartableTime runTime(args);
-
-    // Not createMesh.H, whose dry run has a mesh without room for membranes
-    fvMesh mesh
-    (
-        IOobject
-        (
-            fvMesh::defaultRegion,
-            runTime.timeName(),
-            runTime,
-            IOobject::MUST_READ
-        )
-    );
-    untrapped.restore();
+    #include "createTimeAndMesh.H"
 
     const bool dryRun = args.found("dry-run");
     if (dryRun)
@@ -135,7 +119,7 @@ int main(int argc, char *argv[])
         while (step.repeat());
 
         membranes.setInsideOfBodies(phi);
-        membranes.setPressure();
+        membranes.fluid().setPressure();
 
         if (!dryRun)
         {
