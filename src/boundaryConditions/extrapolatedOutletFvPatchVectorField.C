@@ -147,6 +147,72 @@ Foam::extrapolatedOutletFvPatchVectorField::extrapolated
 }
 
 
+Foam::extrapolatedOutletFvPatchVectorField::fluxes
+Foam::extrapolatedOutletFvPatchVectorField::measured
+(
+    const volVectorField& field,
+    UPtrList<fvPatchVectorField>& patches
+) const
+{
+    typedef extrapolatedOutletFvPatchVectorField outlet;
+
+    label n = 0;
+    for (const fvPatchVectorField& Up : patches)
+    {
+        n += !isA<processorFvPatch>(Up.patch());
+    }
+    fluxes result;
+    result.areas.resize(n, Zero);
+    result.last.resize(n, Zero);
+    result.ahead.resize(n, Zero);
+    result.values.resize(n);
+    result.rest.resize(2, Zero);
+
+    for (label patchi = 0; patchi < n; ++patchi)
+    {
+        fvPatchVectorField& Up = patches[patchi];
+        const vectorField& S = Up.patch().Sf();
+        if (Up.coupled())
+        {
+            continue;
+        }
+        if (isA<outlet>(Up))
+        {
+            result.values.set
+            (
+                patchi,
+                refCast<const outlet>(Up).extrapolated(field).ptr()
+            );
+            result.areas[patchi] = sum(Up.patch().magSf());
+            result.last[patchi] = sum(Up & S);
+            result.ahead[patchi] = sum(result.values[patchi] & S);
+        }
+        else if (followsPressure(Up))
+        {
+            result.rest[0] += pressureFlux(Up);
+            result.rest[1] += sum(Up.patch().magSf());
+        }
+        else
+        {
+            Up.updateCoeffs();
+            result.rest[0] += sum(Up & S);
+        }
+    }
+    for
+    (
+        scalarList* list :
+        {&result.areas, &result.last, &result.ahead, &result.rest}
+    )
+    {
+        for (scalar& sum : *list)
+        {
+            reduce(sum, sumOp<scalar>());
+        }
+    }
+    return result;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::extrapolatedOutletFvPatchVectorField::updateCoeffs()
@@ -160,73 +226,27 @@ void Foam::extrapolatedOutletFvPatchVectorField::updateCoeffs()
 
     volVectorField& field =
         db().lookupObjectRef<volVectorField>(internalField().name());
-    label nPatches = 0;
     UPtrList<fvPatchVectorField> patches(field.boundaryField().size());
     forAll(patches, patchi)
     {
         const fvPatchVectorField& Up = field.boundaryField()[patchi];
         patches.set(patchi, const_cast<fvPatchVectorField*>(&Up));
-        nPatches += !isA<processorFvPatch>(Up.patch());
     }
 
-    // Of all outlets: area, flux as it stands and as extrapolated. Flux of the
-    // rest, with given velocities of the present time, and area of what of it
-    // follows a given pressure
-    scalarList areas(nPatches, Zero);
-    scalarList last(nPatches, Zero);
-    scalarList ahead(nPatches, Zero);
-    scalarList rest(2, Zero);
-    PtrList<vectorField> values(nPatches);
+    const fluxes flux(measured(field, patches));
+    const scalar area = sum(flux.areas) + flux.rest[1];
+    const scalar missing = -sum(flux.last) - flux.rest[0];
 
-    for (label patchi = 0; patchi < nPatches; ++patchi)
+    forAll(flux.values, patchi)
     {
-        fvPatchVectorField& Up = patches[patchi];
-        const vectorField& S = Up.patch().Sf();
-        if (Up.coupled())
-        {
-            continue;
-        }
-        if (isA<outlet>(Up))
-        {
-            values.set
-            (
-                patchi,
-                refCast<const outlet>(Up).extrapolated(field).ptr()
-            );
-            areas[patchi] = sum(Up.patch().magSf());
-            last[patchi] = sum(Up & S);
-            ahead[patchi] = sum(values[patchi] & S);
-        }
-        else if (followsPressure(Up))
-        {
-            rest[0] += pressureFlux(Up);
-            rest[1] += sum(Up.patch().magSf());
-        }
-        else
-        {
-            Up.updateCoeffs();
-            rest[0] += sum(Up & S);
-        }
-    }
-    for (scalarList* list : {&areas, &last, &ahead, &rest})
-    {
-        for (scalar& sum : *list)
-        {
-            reduce(sum, sumOp<scalar>());
-        }
-    }
-    const scalar area = sum(areas) + rest[1];
-    const scalar missing = -sum(last) - rest[0];
-
-    forAll(values, patchi)
-    {
-        if (values.set(patchi))
+        if (flux.values.set(patchi))
         {
             outlet& Up = refCast<outlet>(patches[patchi]);
-            const scalar flux = last[patchi] + missing*areas[patchi]/area;
+            const scalar wanted =
+                flux.last[patchi] + missing*flux.areas[patchi]/area;
             const scalar shift =
-                (flux - ahead[patchi])/max(areas[patchi], VSMALL);
-            Up == values[patchi] + shift*Up.patch().nf();
+                (wanted - flux.ahead[patchi])/max(flux.areas[patchi], VSMALL);
+            Up == flux.values[patchi] + shift*Up.patch().nf();
             Up.fixedValueFvPatchVectorField::updateCoeffs();
         }
     }

@@ -85,6 +85,31 @@ void Foam::capsule::GCR::addDirection
 }
 
 
+Foam::string Foam::capsule::GCR::ended
+(
+    const char* what,
+    const scalar initial,
+    const scalar final,
+    const label iter,
+    const bool solved
+) const
+{
+    Info<< type() << ":  Solving for " << what << ", Initial residual = "
+        << initial << ", Final residual = " << final
+        << ", No Iterations " << iter
+        << (solved ? "" : ", above the tolerance") << endl;
+
+    if (solved)
+    {
+        return string::null;
+    }
+    return
+        "the flow is not solved: the residual of " + string(what) + " is "
+      + Foam::name(final) + " after " + Foam::name(iter)
+      + " iterations, above the tolerance of " + Foam::name(tolerance_);
+}
+
+
 Foam::string Foam::capsule::GCR::converge
 (
     const fvVectorMatrix& UEqn,
@@ -150,19 +175,7 @@ Foam::string Foam::capsule::GCR::converge
         norm <= tolerance_*reference
      || norm <= roundOff*max(from, termSize());
 
-    Info<< type() << ":  Solving for " << what << ", Initial residual = "
-        << initial/reference << ", Final residual = " << norm/reference
-        << ", No Iterations " << iter
-        << (solved ? "" : ", above the tolerance") << endl;
-
-    if (solved)
-    {
-        return string::null;
-    }
-    return
-        "the flow is not solved: the residual of " + string(what) + " is "
-      + Foam::name(norm/reference) + " after " + Foam::name(iter)
-      + " iterations, above the tolerance of " + Foam::name(tolerance_);
+    return ended(what, initial/reference, norm/reference, iter, solved);
 }
 
 

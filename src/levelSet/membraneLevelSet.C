@@ -40,6 +40,84 @@ Foam::boundBox Foam::capsule::membraneLevelSet::box() const
 }
 
 
+Foam::boundBox Foam::capsule::membraneLevelSet::box
+(
+    const solvedVector& image,
+    const scalar margin
+) const
+{
+    const vector shift(directions_.toVector(image - centre_));
+    boundBox result(box());
+    result.min() += shift - vector::uniform(margin);
+    result.max() += shift + vector::uniform(margin);
+    return result;
+}
+
+
+Foam::DynamicList<Foam::label> Foam::capsule::membraneLevelSet::cellsAround
+(
+    const UList<solvedVector>& images,
+    const scalar margin
+) const
+{
+    const cellSearch& search = cellSearch::New(mesh_);
+    DynamicList<label> cells;
+    for (const solvedVector& image : images)
+    {
+        cells.append(search.inBox(box(image, margin)));
+    }
+    Foam::inplaceUniqueSort(cells);
+    return cells;
+}
+
+
+void Foam::capsule::membraneLevelSet::findObstacles
+(
+    const UList<solvedVector>& images,
+    const scalar margin
+)
+{
+    obstacles_.clear();
+    for (const solvedVector& image : images)
+    {
+        lineOfSight::New(mesh_).append
+        (
+            box(image, margin), centre_ - image, obstacles_
+        );
+    }
+}
+
+
+void Foam::capsule::membraneLevelSet::setWidth
+(
+    const UList<solvedVector>& images
+)
+{
+    const cellSearch& search = cellSearch::New(mesh_);
+    const pointField& centres = search.centres();
+    const scalar sampleSpacing = surface_.sampleSpacing();
+    const scalar margin = search.largestWidth() + sampleSpacing;
+
+    findObstacles(images, margin);
+    for (const label celli : cellsAround(images, margin))
+    {
+        const scalar h = search.ofCell(celli).largest();
+        if (h <= width_)
+        {
+            continue;
+        }
+        const solvedVector x = image(centres[celli]);
+        scalar bound = sqr(h + sampleSpacing);
+        const label sample = search_.nearest(x, bound);
+        if (sample != -1 && sees(samples_.row(sample), x))
+        {
+            width_ = max(width_, h);
+        }
+    }
+    reduce(width_, maxOp<scalar>());
+}
+
+
 bool Foam::capsule::membraneLevelSet::farInside(const solvedVector& x) const
 {
     const label sample = search_.nearest(x);
@@ -114,19 +192,13 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
     band_(0),
     centre_(directions.size())
 {
-    const boundBox samplesBox(box());
-    centre_ = directions(samplesBox.midpoint());
+    centre_ = directions(box().midpoint());
 
     // Geometry that the processors make together: not later, on those alone
     // that hold a part of the membrane
     mesh.C();
     mesh.nonOrthDeltaCoeffs();
 
-    const cellSearch& search = cellSearch::New(mesh);
-    const pointField& centres = search.centres();
-
-    // Cell width: the largest of the cells that the surface runs through
-    const scalar sampleSpacing = surface.sampleSpacing();
     const List<solvedVector> images
     (
         directions.images().images
@@ -134,58 +206,12 @@ Foam::capsule::membraneLevelSet::membraneLevelSet
             centre_, directions.images().wrapped(centre_)
         )
     );
-    const auto boxAround = [&](const scalar margin, const solvedVector& image)
-    {
-        const vector shift(directions.toVector(image - centre_));
-        boundBox box(samplesBox);
-        box.min() += shift - vector::uniform(margin);
-        box.max() += shift + vector::uniform(margin);
-        return box;
-    };
-    const auto around = [&](const scalar margin)
-    {
-        DynamicList<label> cells;
-        for (const solvedVector& i : images)
-        {
-            cells.append(search.inBox(boxAround(margin, i)));
-        }
-        Foam::inplaceUniqueSort(cells);
-        return cells;
-    };
-    const auto findObstacles = [&](const scalar margin)
-    {
-        obstacles_.clear();
-        for (const solvedVector& i : images)
-        {
-            lineOfSight::New(mesh).append
-            (
-                boxAround(margin, i), centre_ - i, obstacles_
-            );
-        }
-    };
-
-    findObstacles(search.largestWidth() + sampleSpacing);
-    for (const label celli : around(search.largestWidth() + sampleSpacing))
-    {
-        const scalar h = search.ofCell(celli).largest();
-        if (h <= width_)
-        {
-            continue;
-        }
-        const solvedVector x = image(centres[celli]);
-        scalar bound = sqr(h + sampleSpacing);
-        const label sample = search_.nearest(x, bound);
-        if (sample != -1 && sees(samples_.row(sample), x))
-        {
-            width_ = max(width_, h);
-        }
-    }
-    reduce(width_, maxOp<scalar>());
+    setWidth(images);
 
     band_ = bandWidth*width_;
-    const scalar reach = band_ + sampleSpacing;
-    findObstacles(reach);
-    setCells(around(reach), reach);
+    const scalar reach = band_ + surface.sampleSpacing();
+    findObstacles(images, reach);
+    setCells(cellsAround(images, reach), reach);
 }
 
 

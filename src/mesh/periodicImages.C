@@ -15,15 +15,34 @@ License
 #include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-Foam::capsule::periodicImages::periodicImages
-(
-    const fvMesh& mesh,
-    const solvedDirections& directions
-)
-:
-    centre_(directions(mesh.bounds().midpoint()))
+namespace Foam
+{
+namespace capsule
+{
+
+//- Stop at a coupled patch that is not a translation
+static void checkTranslation(const coupledPolyPatch& pp)
+{
+    if
+    (
+        !pp.parallel()
+     || !(isA<cyclicPolyPatch>(pp) || isA<processorPolyPatch>(pp))
+    )
+    {
+        FatalErrorInFunction
+            << "The patch " << pp.name() << " of type " << pp.type()
+            << " in " << pp.boundaryMesh().objectPath() << " couples"
+            << (pp.parallel() ? " faces that do not match" : " by a rotation")
+            << nl << "    Permitted: cyclic patches with a translation."
+            << exit(FatalError);
+    }
+}
+
+
+//- Separations of the coupled patches, of each processor
+static List<List<vector>> separations(const fvMesh& mesh)
 {
     // In parallel a cyclic patch may have no faces here, or be a processor's
     List<List<vector>> found(Pstream::nProcs());
@@ -35,24 +54,7 @@ Foam::capsule::periodicImages::periodicImages
             continue;
         }
         const auto& coupled = refCast<const coupledPolyPatch>(pp);
-        if
-        (
-            !coupled.parallel()
-         || !(isA<cyclicPolyPatch>(pp) || isA<processorPolyPatch>(pp))
-        )
-        {
-            FatalErrorInFunction
-                << "The patch " << pp.name() << " of type " << pp.type()
-                << " in " << mesh.boundaryMesh().objectPath() << " couples"
-                <<
-                (
-                    coupled.parallel()
-                  ? " faces that do not match"
-                  : " by a rotation"
-                )
-                << nl << "    Permitted: cyclic patches with a translation."
-                << exit(FatalError);
-        }
+        checkTranslation(coupled);
         if (coupled.separated())
         {
             mine.append(coupled.separation()[0]);
@@ -60,8 +62,24 @@ Foam::capsule::periodicImages::periodicImages
     }
     found[Pstream::myProcNo()] = mine;
     allGatherList(found);
+    return found;
+}
 
-    for (const List<vector>& list : found)
+} // End namespace capsule
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::periodicImages::periodicImages
+(
+    const fvMesh& mesh,
+    const solvedDirections& directions
+)
+:
+    centre_(directions(mesh.bounds().midpoint()))
+{
+    for (const List<vector>& list : separations(mesh))
     {
         for (const vector& v : list)
         {

@@ -17,6 +17,25 @@ License
 #include "volFields.H"
 #include "surfaceFields.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static void refuseWedge
+(
+    const Foam::polyBoundaryMesh& patches,
+    const Foam::string& why
+)
+{
+    using namespace Foam;
+
+    FatalErrorInFunction
+        << "The wedge in " << patches.objectPath() << ' ' << why.c_str()
+        << nl << "    A wedge is one cell thick between two patches of type"
+        << " wedge, symmetric about a plane of the coordinates, with its"
+        << " axis along a direction of the coordinates and the cells at"
+        << " greater values of the other one." << exit(FatalError);
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::capsule::solvedDirections::setPlane(const fvMesh& mesh)
@@ -63,16 +82,6 @@ void Foam::capsule::solvedDirections::setPlane(const fvMesh& mesh)
 void Foam::capsule::solvedDirections::setWedge(const fvMesh& mesh)
 {
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    const auto refuse = [&](const string& why)
-    {
-        FatalErrorInFunction
-            << "The wedge in " << patches.objectPath() << ' ' << why.c_str()
-            << nl << "    A wedge is one cell thick between two patches of type"
-            << " wedge, symmetric about a plane of the coordinates, with its"
-            << " axis along a direction of the coordinates and the cells at"
-            << " greater values of the other one." << exit(FatalError);
-    };
-
     label nWedge = 0;
     scalar axisAt = -GREAT;
     middle_ = mesh.bounds().midpoint()[0];
@@ -99,7 +108,7 @@ void Foam::capsule::solvedDirections::setWedge(const fvMesh& mesh)
         }
         if (cmptMax(cmptMag(axis)) <= 1 - 1e-6)
         {
-            refuse("has its axis along " + Foam::name(axis));
+            refuseWedge(patches, "has its axis along " + Foam::name(axis));
         }
         second_ = 3 - first_ - across_;
         middle_ = mesh.bounds().midpoint()[across_];
@@ -116,12 +125,15 @@ void Foam::capsule::solvedDirections::setWedge(const fvMesh& mesh)
 
     if (returnReduce(nWedge != 2*mesh.nCells(), orOp<bool>()))
     {
-        refuse("is not one cell thick");
+        refuseWedge(patches, "is not one cell thick");
     }
     const scalar span = mesh.bounds().span()[second_];
     if (mesh.bounds().min()[second_] < axisAt_ - 1e-6*span)
     {
-        refuse("reaches beyond its axis, or lies at smaller values");
+        refuseWedge
+        (
+            patches, "reaches beyond its axis, or lies at smaller values"
+        );
     }
 }
 

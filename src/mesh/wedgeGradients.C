@@ -24,56 +24,78 @@ namespace capsule
 }
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-Foam::capsule::wedgeGradients::wedgeGradients
-(
-    const fvMesh& mesh,
-    const solvedDirections& directions
-)
-:
-    MeshObject<fvMesh, GeometricMeshObject, wedgeGradients>(mesh)
+namespace Foam
 {
-    // OpenFOAM has them on demand, and gives them to all as constants
-    auto& delta = const_cast<surfaceScalarField&>(mesh.deltaCoeffs());
-    auto& orthogonal =
-        const_cast<surfaceScalarField&>(mesh.nonOrthDeltaCoeffs());
+namespace capsule
+{
 
-    // Area of the faces of a cell away from the axis, as it is and as the
-    // gradients see it
-    scalarField area(mesh.nCells(), Zero);
-    scalarField seen(mesh.nCells(), Zero);
-    const auto add = [&](const label celli, const scalar S, const scalar factor)
+//- The coefficients, and what they make of the cells
+struct wedgeCoefficients
+{
+    const fvMesh& mesh;
+    const solvedDirections& directions;
+
+    //- OpenFOAM has them on demand, and gives them to all as constants
+    surfaceScalarField& delta;
+    surfaceScalarField& orthogonal;
+
+    //- Area of the faces of a cell away from the axis, as it is and as the
+    //  gradients see it
+    scalarField area;
+    scalarField seen;
+
+
+    wedgeCoefficients(const fvMesh& wedge, const solvedDirections& solved)
+    :
+        mesh(wedge),
+        directions(solved),
+        delta(const_cast<surfaceScalarField&>(mesh.deltaCoeffs())),
+        orthogonal(const_cast<surfaceScalarField&>(mesh.nonOrthDeltaCoeffs())),
+        area(mesh.nCells(), Zero),
+        seen(mesh.nCells(), Zero)
+    {}
+
+    scalar radius(const point& x) const
+    {
+        return directions.radius(directions(x));
+    }
+
+    void add(const label celli, const scalar S, const scalar factor)
     {
         area[celli] += S;
         seen[celli] += factor*S;
-    };
-    const auto radius = [&](const point& x)
-    {
-        return directions.radius(directions(x));
-    };
-
-    const pointField& centres = mesh.cellCentres();
-    for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
-    {
-        const label P = mesh.owner()[facei];
-        const label N = mesh.neighbour()[facei];
-        const scalar factor =
-            2*radius(mesh.faceCentres()[facei])
-           /(radius(centres[P]) + radius(centres[N]));
-        delta[facei] *= factor;
-        orthogonal[facei] *= factor;
-        const scalar S = directions(mesh.faceAreas()[facei])(1);
-        add(P, S, factor);
-        add(N, -S, factor);
     }
-    for (const fvPatch& patch : mesh.boundary())
+
+    void multiply(const fvPatch& patch, const label i, const scalar factor)
     {
-        if (!solvedDirections::cutsPlane(patch.patch()))
+        delta.boundaryFieldRef()[patch.index()][i] *= factor;
+        orthogonal.boundaryFieldRef()[patch.index()][i] *= factor;
+    }
+
+    void setInternal()
+    {
+        const pointField& centres = mesh.cellCentres();
+        for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
         {
-            continue;
+            const label P = mesh.owner()[facei];
+            const label N = mesh.neighbour()[facei];
+            const scalar factor =
+                2*radius(mesh.faceCentres()[facei])
+               /(radius(centres[P]) + radius(centres[N]));
+            delta[facei] *= factor;
+            orthogonal[facei] *= factor;
+            const scalar S = directions(mesh.faceAreas()[facei])(1);
+            add(P, S, factor);
+            add(N, -S, factor);
         }
-        const label patchi = patch.index();
+    }
+
+    //- A patch across the plane of the wedge
+    void setAcross(const fvPatch& patch)
+    {
+        const pointField& centres = mesh.cellCentres();
         const vectorField across(patch.delta());
         forAll(patch, i)
         {
@@ -84,23 +106,52 @@ Foam::capsule::wedgeGradients::wedgeGradients
                 factor =
                     radius(patch.Cf()[i])
                    /radius(centres[celli] + 0.5*across[i]);
-                delta.boundaryFieldRef()[patchi][i] *= factor;
-                orthogonal.boundaryFieldRef()[patchi][i] *= factor;
+                multiply(patch, i, factor);
             }
             add(celli, directions(patch.Sf()[i])(1), factor);
+        }
+    }
+
+    //- A side of the wedge, once all others are set
+    void setSide(const fvPatch& patch)
+    {
+        forAll(patch, i)
+        {
+            const label celli = patch.faceCells()[i];
+            multiply(patch, i, seen[celli]/area[celli]);
+        }
+    }
+};
+
+} // End namespace capsule
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::capsule::wedgeGradients::wedgeGradients
+(
+    const fvMesh& mesh,
+    const solvedDirections& directions
+)
+:
+    MeshObject<fvMesh, GeometricMeshObject, wedgeGradients>(mesh)
+{
+    wedgeCoefficients coefficients(mesh, directions);
+
+    coefficients.setInternal();
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        if (solvedDirections::cutsPlane(patch.patch()))
+        {
+            coefficients.setAcross(patch);
         }
     }
     for (const fvPatch& patch : mesh.boundary())
     {
         if (isA<wedgeFvPatch>(patch))
         {
-            forAll(patch, i)
-            {
-                const label celli = patch.faceCells()[i];
-                const scalar factor = seen[celli]/area[celli];
-                delta.boundaryFieldRef()[patch.index()][i] *= factor;
-                orthogonal.boundaryFieldRef()[patch.index()][i] *= factor;
-            }
+            coefficients.setSide(patch);
         }
     }
 }

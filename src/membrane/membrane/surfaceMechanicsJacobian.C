@@ -15,6 +15,114 @@ License
 
 using Foam::constant::mathematical::pi;
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace capsule
+{
+
+//- What the derivative of the elastic force is made of at a node:
+//  d(S^ab x_b) = S^ab dx_b + dS^ab x_b, where with X^a = A^ab x_b and the dual
+//  tangents x^a = a^ab x_b
+//      dI = 2 X^a.dx_a,        dJ = J x^a.dx_a,
+//      d(a^ab) x_b = -x^b (x^a.dx_b) - a^ab (dx_b - n (n.dx_b)).
+//  Per reference area, the membrane turns in its plane by
+//      r = (n x y^a).dx_a,        y^a = (X^a + J x^a)/(l1 + l2),
+//  at the energy (alpha + beta/J) r^2/4, and its normal at S^ab n_a n_b/2,
+//  n_a = n.dx_a
+struct elasticHessian
+{
+    typedef surfaceMetric::tensor2 tensor2;
+    typedef surfaceMetric::vectorPair vectorPair;
+
+    Eigen::Matrix<scalar, 3, 1> n;
+    scalar alpha;
+    scalar beta;
+    tensor2 A;
+    vectorPair xA;
+    vectorPair xa;
+    vectorPair dAlpha;
+    vectorPair dBeta;
+    tensor2 turning;
+    vectorPair twist;
+
+    //- At node k of a surface, sum the sum l1 + l2 of the stretches there
+    elasticHessian
+    (
+        const surfaceMetric& surface,
+        const secondPiolaStress& stress,
+        const tensor2& inverseOfReference,
+        const scalar J,
+        const scalar sum,
+        const label k,
+        const bool fullTangent
+    );
+
+    //- Derivative of the force along tangent b by dx_c
+    Eigen::Matrix<scalar, 3, 3> block(const label b, const label c) const;
+};
+
+
+elasticHessian::elasticHessian
+(
+    const surfaceMetric& surface,
+    const secondPiolaStress& stress,
+    const tensor2& inverseOfReference,
+    const scalar J,
+    const scalar sum,
+    const label k,
+    const bool fullTangent
+)
+:
+    n(surface.normalAt(k)),
+    alpha(stress.alpha(k)),
+    beta(stress.beta(k)),
+    A(inverseOfReference)
+{
+    const vectorPair x = surface.tangentsAt(k);
+    const tensor2 a = surface.inverseAt(k);
+    xA = x*A;
+    xa = x*a;
+    dAlpha = 2*stress.alphaI(k)*xA + J*stress.alphaJ(k)*xa;
+    dBeta = 2*stress.betaI(k)*xA + J*stress.betaJ(k)*xa;
+
+    const tensor2 S = alpha*A + beta*a;
+    if (fullTangent)
+    {
+        turning = S;
+        twist.setZero();
+    }
+    else
+    {
+        turning = surfaceMetric::tensilePart(S, x.transpose()*x, a);
+        twist =
+            std::sqrt(max(-0.5*(alpha + beta/J), 0.0))/sum
+           *(xA + J*xa).colwise().cross(n);
+    }
+}
+
+
+Eigen::Matrix<scalar, 3, 3> elasticHessian::block
+(
+    const label b,
+    const label c
+) const
+{
+    Eigen::Matrix<scalar, 3, 3> m =
+        xA.col(b)*dAlpha.col(c).transpose()
+      + xa.col(b)*dBeta.col(c).transpose()
+      - beta*xa.col(c)*xa.col(b).transpose()
+      + twist.col(b)*twist.col(c).transpose()
+      + (turning(b, c) - alpha*A(b, c))*n*n.transpose();
+    m.diagonal().array() += alpha*A(b, c);
+    return m;
+}
+
+} // End namespace capsule
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::capsule::surfaceMechanics::addElastic
@@ -24,17 +132,6 @@ void Foam::capsule::surfaceMechanics::addElastic
     List<nodalMatrix>& fields
 ) const
 {
-    // d(S^ab x_b) = S^ab dx_b + dS^ab x_b, where with X^a = A^ab x_b and the
-    // dual tangents x^a = a^ab x_b
-    //     dI = 2 X^a.dx_a,        dJ = J x^a.dx_a,
-    //     d(a^ab) x_b = -x^b (x^a.dx_b) - a^ab (dx_b - n (n.dx_b)).
-    // Per reference area, the membrane turns in its plane by
-    //     r = (n x y^a).dx_a,        y^a = (X^a + J x^a)/(l1 + l2),
-    // at the energy (alpha + beta/J) r^2/4, and its normal at S^ab n_a n_b/2,
-    // n_a = n.dx_a
-    typedef surfaceMetric::tensor2 tensor2;
-    typedef surfaceMetric::vectorPair vectorPair;
-
     const label nDerivatives = products_.nDerivatives();
     const surfaceMetric surface = metricOf(grid_, X);
     const secondPiolaStress stress = stressOf(surface);
@@ -44,45 +141,17 @@ void Foam::capsule::surfaceMechanics::addElastic
 
     for (label k = 0; k < grid_.size(); ++k)
     {
-        const scalar alpha = stress.alpha(k);
-        const scalar beta = stress.beta(k);
-        const vectorPair x = surface.tangentsAt(k);
-        const Eigen::Matrix<scalar, 3, 1> n = surface.normalAt(k);
-        const tensor2 A = reference_.inverseAt(k);
-        const tensor2 a = surface.inverseAt(k);
-        const vectorPair xA = x*A;
-        const vectorPair xa = x*a;
-        const vectorPair dAlpha =
-            2*stress.alphaI(k)*xA + J(k)*stress.alphaJ(k)*xa;
-        const vectorPair dBeta =
-            2*stress.betaI(k)*xA + J(k)*stress.betaJ(k)*xa;
-        const tensor2 S = alpha*A + beta*a;
-        const tensor2 turning =
-            fullTangent
-          ? S
-          : surfaceMetric::tensilePart(S, x.transpose()*x, a);
-        const vectorPair twist =
-            fullTangent
-          ? vectorPair(vectorPair::Zero())
-          : vectorPair
-            (
-                std::sqrt(max(-0.5*(alpha + beta/J(k)), 0.0))/sum(k)
-               *(xA + J(k)*xa).colwise().cross(n)
-            );
+        const elasticHessian hessian
+        (
+            surface, stress, reference_.inverseAt(k), J(k), sum(k), k, fullTangent
+        );
         const scalar weight = grid_.weights()(k)*reference_.area()(k);
 
         for (label b = 0; b < 2; ++b)
         {
             for (label c = 0; c < 2; ++c)
             {
-                Eigen::Matrix<scalar, 3, 3> m =
-                    xA.col(b)*dAlpha.col(c).transpose()
-                  + xa.col(b)*dBeta.col(c).transpose()
-                  - beta*xa.col(c)*xa.col(b).transpose()
-                  + twist.col(b)*twist.col(c).transpose()
-                  + (turning(b, c) - alpha*A(b, c))*n*n.transpose();
-                m.diagonal().array() += alpha*A(b, c);
-
+                const Eigen::Matrix<scalar, 3, 3> m = hessian.block(b, c);
                 for (label ij = 0; ij < 9; ++ij)
                 {
                     fields[ij](k, b*nDerivatives + c) +=
