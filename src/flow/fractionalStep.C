@@ -27,21 +27,28 @@ namespace capsule
     defineTypeNameAndDebug(fractionalStep, 0);
     addToRunTimeSelectionTable(flowSolver, fractionalStep, dictionary);
 
-    //- Solve without a line in the log for each of the many sweeps. Also with
-    //  tolerance 0 a component that is zero, as that around the axis of a wedge,
-    //  is solved as it is: no relTol of a residual of zero is ever reached
-    template<class Type>
-    static void solveQuietly
-    (
-        fvMatrix<Type>& equation,
-        dictionary controls
-    )
+    //- A linear solver's entries. Also with tolerance 0 a component that is
+    //  zero, as that around the axis of a wedge, is solved as it is: no relTol
+    //  of a residual of zero is ever reached
+    static dictionary controlsOf(const dictionary& solver)
     {
+        dictionary controls(solver);
         scalar tolerance;
         if (controls.readIfPresent("tolerance", tolerance))
         {
             controls.set("tolerance", max(tolerance, ROOTVSMALL));
         }
+        return controls;
+    }
+
+    //- Solve without a line in the log for each of the many sweeps
+    template<class Type>
+    static void solveQuietly
+    (
+        fvMatrix<Type>& equation,
+        const dictionary& controls
+    )
+    {
         const int said = SolverPerformance<Type>::debug;
         SolverPerformance<Type>::debug = 0;
         equation.solve(controls);
@@ -104,6 +111,10 @@ Foam::scalar Foam::capsule::fractionalStep::wallFriction() const
 
 void Foam::capsule::fractionalStep::setPreconditioner(const fvVectorMatrix& UEqn)
 {
+    // They may have been read again
+    momentumControls_ = controlsOf(mesh_.solverDict("U"));
+    pressureControls_ = controlsOf(mesh_.solverDict("p"));
+
     // The matrix of UEqn with homogeneous boundary conditions
     momentumEqn_.reset(new fvVectorMatrix(dU_, UEqn.dimensions()));
     momentumEqn_->lduMatrix::operator=(UEqn);
@@ -174,7 +185,7 @@ void Foam::capsule::fractionalStep::precondition
     // Momentum predictor
     dU_ = dimensionedVector(dimVelocity, Zero);
     momentumEqn_->source() = momentum*mesh_.V().field();
-    solveQuietly(*momentumEqn_, mesh_.solverDict("U"));
+    solveQuietly(*momentumEqn_, momentumControls_);
 
     // Pressure equation: what is left of continuity
     scalarField left
@@ -196,7 +207,7 @@ void Foam::capsule::fractionalStep::precondition
     }
     psi_ = dimensionedScalar(psi_.dimensions(), Zero);
     pressureEqn_->source() = left*mesh_.V().field();
-    solveQuietly(*pressureEqn_, mesh_.solverDict("p"));
+    solveQuietly(*pressureEqn_, pressureControls_);
 
     dU = dU_.primitiveField() + fvc::grad(psi_)().primitiveField();
     dp = mu_*left - friction_*psi_.primitiveField();
