@@ -41,6 +41,17 @@ Foam::capsule::elasticLaws::surfaceTension::surfaceTension
 {}
 
 
+Foam::capsule::elasticLaws::surfaceTension::surfaceTension
+(
+    const dictionary& dict,
+    const scalar tension
+)
+:
+    elasticLaw(dict),
+    surfaceTension_(tension)
+{}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::capsule::nodalScalars Foam::capsule::elasticLaws::surfaceTension::tension
