@@ -32,6 +32,24 @@ Usage
 using namespace Foam;
 using namespace Foam::capsule;
 
+//- Nodes of a sphere of radius a
+static nodalVectors sphereNodes
+(
+    const axisymmetricBasis& basis,
+    const vector2& centre,
+    const scalar a
+)
+{
+    nodalVectors x(basis.size(), 2);
+    for (label i = 0; i < basis.size(); ++i)
+    {
+        const scalar t = theta(basis, i);
+        x.row(i) = centre + a*vector2(std::cos(t), std::sin(t));
+    }
+    return basis.symmetric(x);
+}
+
+
 int main(int argc, char* argv[])
 {
     const char* names[] =
@@ -70,13 +88,7 @@ int main(int argc, char* argv[])
     const scalar h = gMin(directions.widths(mesh)());
     const label half = 1.1547*constant::mathematical::pi*a/h;
     const axisymmetricBasis basis(2*half, axis);
-    nodalVectors x(basis.size(), 2);
-    for (label i = 0; i < basis.size(); ++i)
-    {
-        const scalar t = theta(basis, i);
-        x.row(i) = centre + a*vector2(std::cos(t), std::sin(t));
-    }
-    const closedSurface sphere(basis, basis.symmetric(x));
+    const closedSurface sphere(basis, sphereNodes(basis, centre, a));
 
     volVectorField U
     (

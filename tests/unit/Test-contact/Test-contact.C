@@ -233,6 +233,26 @@ static void testPressure(const contact& law, const PtrList<closedSurface>& pair)
 }
 
 
+//- A surface next to a wall
+static void testWall(const contact& law, const closedSurface& surface)
+{
+    PtrList<closedSurface> single(1);
+    single.set(0, new closedSurface(surface));
+    testGradient(law, single);
+    if (!surface.spatial())
+    {
+        const nodalVectors f = law.forces(single)[0];
+        const scalar gap = axisAt + 2 - surface.nodes().col(1).maxCoeff();
+        check
+        (
+            "force at a wall, of the law",
+            -f.col(1).minCoeff()/repulsion(range, strength).pressure(gap) - 1,
+            1e-12
+        );
+    }
+}
+
+
 int main(int argc, char* argv[])
 {
     #include "setRootCase.H"
@@ -281,21 +301,7 @@ int main(int argc, char* argv[])
     testPressure(*law, surfaces);
 
     Info<< "Wall" << endl;
-    PtrList<closedSurface> single(1);
-    single.set(0, new closedSurface(*first, ellipsoid(*first, 5, 0.8, 1.85)));
-    testGradient(*law, single);
-    if (!directions.spatial())
-    {
-        const nodalVectors f = law->forces(single)[0];
-        const scalar gap =
-            axisAt + 2 - single[0].nodes().col(1).maxCoeff();
-        check
-        (
-            "force at a wall, of the law",
-            -f.col(1).minCoeff()/repulsion(range, strength).pressure(gap) - 1,
-            1e-12
-        );
-    }
+    testWall(*law, closedSurface(*first, ellipsoid(*first, 5, 0.8, 1.85)));
 
     return verdict();
 }

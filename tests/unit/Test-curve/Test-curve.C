@@ -15,32 +15,15 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-#include "bendingModel.H"
-#include "freeSpaceResponse.H"
-#include "membraneMotion.H"
+#include "bendingTests.H"
+#include "dropTests.H"
+#include "responseTests.H"
 #include "sampleSearch.H"
-#include "testing.H"
 #include "mathematicalConstants.H"
 
 using namespace Foam;
 using namespace Foam::capsule;
 using Foam::constant::mathematical::pi;
-
-static nodalVectors ellipse
-(
-    const curveBasis& basis,
-    const scalar a,
-    const scalar b
-)
-{
-    nodalVectors x(basis.size(), 2);
-    for (label i = 0; i < basis.size(); ++i)
-    {
-        x.row(i) << 3 + a*std::cos(basis.alpha(i)), b*std::sin(basis.alpha(i));
-    }
-    return x;
-}
-
 
 //- Geometry of an ellipse; perimeter 4 a E(e) for a = 2, b = 1
 static void testEllipse()
@@ -159,154 +142,6 @@ static void testTension()
 }
 
 
-//- Bending: the derivative of the force against central differences, on an
-//  ellipse displaced by a smooth wave, away from its initial shape, a flatter
-//  one
-static void testBending()
-{
-    const curveBasis basis(41);
-    const closedSurface initial(basis, ellipse(basis, 1.8, 1.2));
-    const nodalVectors x = ellipse(basis, 2, 1);
-    const closedSurface curve(basis, x);
-    nodalVectors dx(basis.size(), 2);
-    for (label i = 0; i < basis.size(); ++i)
-    {
-        dx.row(i) = vector2
-        (
-            std::cos(3*basis.alpha(i)), std::sin(2*basis.alpha(i) + 1)
-        );
-    }
-    const auto model = [&](const char* reference)
-    {
-        IStringStream is
-        (
-            std::string("type Helfrich; bendingModulus 0.7; ") + reference
-        );
-        autoPtr<bendingModel> bending(bendingModel::New(dictionary(is)));
-        bending->setReference(initial);
-        return bending;
-    };
-    const auto force = [&](const bendingModel& bending, const scalar step)
-    {
-        nodalVectors resultant = nodalVectors::Zero(basis.size(), 2);
-        bending.addResultant
-        (
-            closedSurface(basis, x + step*dx), resultant
-        );
-        return curve.ds(resultant);
-    };
-
-    for
-    (
-        const char* reference :
-        {
-            "",
-            "referenceCurvature initial;",
-            "referenceCurvature none;",
-            "referenceCurvature 0.6;",
-            "referenceCurvature [0 -1 0 0 0 0 0] -0.6;"
-        }
-    )
-    {
-        const autoPtr<bendingModel> bending(model(reference));
-        const nodalVectors slope =
-            (force(*bending, 1e-5) - force(*bending, -1e-5))/2e-5;
-        nodalMatrix jacobian =
-            nodalMatrix::Zero(2*basis.size(), 2*basis.size());
-        bending->addJacobian(curve, jacobian);
-        Info<< reference << nl;
-        check
-        (
-            "derivative of the bending force, relative",
-            (jacobian*stacked(dx) - stacked(slope)).norm()/slope.norm(),
-            1e-6
-        );
-    }
-
-    // None at the initial shape where that is the reference; elsewhere the
-    // part of the initial curvature is the difference, and a curvature that
-    // is the same everywhere has no force
-    const auto resultant =
-        [&](const char* reference, const closedSurface& shape)
-    {
-        nodalVectors result = nodalVectors::Zero(basis.size(), 2);
-        model(reference)->addResultant(shape, result);
-        return result;
-    };
-    const nodalScalars kappa = curve.ds(initial.curvature());
-    check
-    (
-        "bending of the initial shape as reference",
-        resultant("", initial).cwiseAbs().maxCoeff(), 1e-9
-    );
-    check
-    (
-        "bending without a reference less that from the initial shape",
-        (
-            resultant("referenceCurvature none;", curve)
-          - resultant("referenceCurvature initial;", curve)
-          - scaled(0.7*kappa, curve.normal())
-        ).cwiseAbs().maxCoeff(), 1e-9
-    );
-    check
-    (
-        "bending by a uniform reference less that without one",
-        (
-            resultant("referenceCurvature 0.6;", curve)
-          - resultant("referenceCurvature none;", curve)
-        ).cwiseAbs().maxCoeff(), 1e-9
-    );
-    check
-    (
-        "bending without a reference, at least 0.1",
-        0.1/resultant("referenceCurvature none;", initial)
-           .cwiseAbs().maxCoeff(), 1
-    );
-}
-
-
-//- A normal force cos(m theta) on a circle of radius R in one viscosity
-//  moves it by R m/(4 mu (m^2 - 1)) cos(m theta) n (plus a part along t)
-static void testResponse()
-{
-    const curveBasis basis(41);
-    const closedSurface circle(basis, ellipse(basis, 2, 2));
-    const nodalMatrix S = freeSpaceResponse::singleLayer(circle, 0.5);
-    const nodalMatrix K = freeSpaceResponse::adjointDoubleLayer(circle);
-    for (const label m : {2, 3, 7})
-    {
-        nodalScalars c(basis.size());
-        for (label i = 0; i < basis.size(); ++i)
-        {
-            c(i) = std::cos(m*basis.alpha(i));
-        }
-        const nodalVectors f = scaled(c, circle.normal());
-        const nodalScalars fs = Eigen::Map<const nodalScalars>(f.data(), f.size());
-        const nodalScalars us = S*fs;
-        const nodalVectors u =
-            Eigen::Map<const nodalVectors>(us.data(), f.rows(), 2);
-        check
-        (
-            "free-space velocity of a mode",
-            (
-                dot(u, circle.normal()) - 2*m/(4*0.5*(m*m - 1.0))*c
-            ).cwiseAbs().maxCoeff(), 1e-10
-        );
-    }
-
-    // A uniform pressure has no traction outside: K n = n/2
-    {
-        const nodalVectors& n = circle.normal();
-        const nodalScalars ns = Eigen::Map<const nodalScalars>(n.data(), n.size());
-        check
-        (
-            "free-space traction of a uniform pressure",
-            (K*ns - 0.5*ns).cwiseAbs().maxCoeff(), 1e-10
-        );
-    }
-}
-
-
 //- Integral over the parameter
 static void testIntegral()
 {
@@ -327,88 +162,6 @@ static void testIntegral()
             (nodes.integrated(f) - exact).cwiseAbs().maxCoeff(), 1e-13
         );
     }
-}
-
-
-//- Points of a drop move with it, and stand still as it turns
-static void testCarried()
-{
-    const curveBasis basis(41);
-    const closedSurface body(basis, ellipse(basis, 2, 1));
-    const closedSurface circle(basis, ellipse(basis, 2, 2));
-    const nodalScalars even = nodalScalars::Ones(basis.size());
-    nodalVectors U(basis.size(), 2);
-    U.col(0).setConstant(0.7);
-    U.col(1).setConstant(-0.3);
-    check
-    (
-        "points of a drop carried",
-        membraneMotion::excess(body, even, U, 1).cwiseAbs().maxCoeff(),
-        1e-12
-    );
-    U.col(0) = -circle.nodes().col(1);
-    U.col(1) = circle.nodes().col(0).array() - 3;
-    check
-    (
-        "points of a drop turning",
-        (
-            membraneMotion::excess(circle, even, U, 1).array() + 2
-        ).abs().maxCoeff(),
-        1e-12
-    );
-
-    // In a flow that stretches it their stretch stays uniform
-    U.col(0) = body.nodes().col(0).array() - 3;
-    U.col(1) = -body.nodes().col(1);
-    const nodalVectors V =
-        U
-      + scaled
-        (
-            membraneMotion::excess(body, body.metric(), U, 1),
-            body.tangent()
-        );
-    const nodalScalars rate =
-        dot(body.ds(V), body.tangent());
-    check
-    (
-        "stretch of a drop stays uniform",
-        rate.maxCoeff() - rate.minCoeff(), 2e-3
-    );
-}
-
-
-//- Round an ellipse that flow goes along, uneven points become even and
-//  stand still; meanwhile the fluid goes round it twice
-static void testEven()
-{
-    const curveBasis basis(41);
-    const nodalScalars even = nodalScalars::Ones(basis.size());
-    nodalVectors x = ellipse(basis, 1.4, 1);
-    nodalScalars pace;
-    for (label step = 0; step < 300; ++step)
-    {
-        const closedSurface now(basis, x);
-        nodalVectors U(basis.size(), 2);
-        U.col(0) = -1.4*x.col(1);
-        U.col(1) = ((x.col(0).array() - 3)/1.4).matrix();
-        const nodalScalars w = membraneMotion::excess(now, even, U, 5);
-        pace = dot(U, now.tangent()) + w;
-        x += 0.05*(U + scaled(w, now.tangent()));
-        // Only the motion along the ellipse
-        for (label i = 0; i < basis.size(); ++i)
-        {
-            const vector2 d(x(i, 0) - 3, x(i, 1));
-            const scalar off = std::hypot(d(0)/1.4, d(1));
-            x.row(i) << 3 + d(0)/off, d(1)/off;
-        }
-    }
-    const nodalScalars g = closedSurface(basis, x).metric();
-    check
-    (
-        "points become even",
-        g.maxCoeff()/g.minCoeff() - 1, 1e-4
-    );
-    check("points stand still", pace.cwiseAbs().maxCoeff(), 1e-3);
 }
 
 
