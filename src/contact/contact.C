@@ -55,16 +55,9 @@ Foam::autoPtr<Foam::capsule::contact> Foam::capsule::contact::New
     if (properties.found("contact"))
     {
         const dictionary& dict = input::subDict(properties, "contact");
-        const word type(input::get<word>(dict, "type"));
-        if (type == "repulsion")
+        if (input::choice(dict, "type", {"none", "repulsion"}) == "repulsion")
         {
             made.reset(new contact(dict, mesh, directions));
-        }
-        else if (type != "none")
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry type is " << type << "; permitted: none, repulsion"
-                << exit(FatalIOError);
         }
     }
     return made;

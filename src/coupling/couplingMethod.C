@@ -49,20 +49,8 @@ Foam::capsule::couplingMethod::couplingMethod(const dictionary& dict)
 Foam::autoPtr<Foam::capsule::couplingMethod>
 Foam::capsule::couplingMethod::New(const dictionary& dict)
 {
-    const word type(input::get<word>(dict, "type"));
+    const auto& table = *dictionaryConstructorTablePtr_;
+    const word type(input::choice(dict, "type", table.sortedToc()));
 
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
-
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            dict,
-            "coupling method",
-            type,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
-
-    return autoPtr<couplingMethod>(cstrIter()(dict));
+    return autoPtr<couplingMethod>(table[type](dict));
 }

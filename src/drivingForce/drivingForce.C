@@ -9,7 +9,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "drivingForce.H"
-#include "dimensionedVector.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -37,11 +36,9 @@ Foam::vector Foam::capsule::drivingForce::readAlongPeriods
 {
     input::permit(dict, {"type", entry});
 
-    const vector value = input::guarded
+    const vector value = input::getQuantity<vector>
     (
-        dict,
-        entry,
-        [&]() { return dimensionedVector(entry, dimensions, dict).value(); }
+        dict, entry, dimensions, "a vector along a period of the mesh"
     );
     if (!(mag(value) <= input::largest))
     {

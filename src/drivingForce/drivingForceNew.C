@@ -34,21 +34,9 @@ Foam::autoPtr<Foam::capsule::drivingForce> Foam::capsule::drivingForce::New
     }
     sigFpe::ignore untrapped;
     const IOdictionary dict(io);
-    const word type(input::get<word>(dict, "type"));
-
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
-
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            dict,
-            "driving force",
-            type,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
+    const auto& table = *dictionaryConstructorTablePtr_;
+    const word type(input::choice(dict, "type", table.sortedToc()));
     Info<< "Driving force: " << type << endl;
 
-    return autoPtr<drivingForce>(cstrIter()(dict, mesh));
+    return autoPtr<drivingForce>(table[type](dict, mesh));
 }

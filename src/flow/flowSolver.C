@@ -78,23 +78,11 @@ Foam::autoPtr<Foam::capsule::flowSolver> Foam::capsule::flowSolver::New
         input::subDict(U.mesh().solutionDict(), "capsuleFoam"),
         "flow"
     );
-    const word type(input::get<word>(dict, "solver"));
-
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
-
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            dict,
-            "flow solver",
-            type,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
+    const auto& table = *dictionaryConstructorTablePtr_;
+    const word type(input::choice(dict, "solver", table.sortedToc()));
     Info<< "Flow solver: " << type << endl;
 
-    return autoPtr<flowSolver>(cstrIter()(dict, U, p, phi, rho));
+    return autoPtr<flowSolver>(table[type](dict, U, p, phi, rho));
 }
 
 

@@ -29,6 +29,10 @@ void Foam::capsule::linearSchemes::check
         term,
         [&]()
         {
+            if (dict.found(term))
+            {
+                input::tokens(dict, term);
+            }
             ITstream& is = (mesh_.*scheme)(term);
             OStringStream words;
             for (label i = 0; i < is.size(); ++i)

@@ -130,22 +130,17 @@ Foam::capsule::immersedMembrane::New
     const scalar viscosity
 )
 {
-    const word type(input::getOrDefault<word>(coupling, "interface", "sharp"));
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
-
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            coupling,
-            "interface",
-            type,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
+    const auto& table = *dictionaryConstructorTablePtr_;
+    const word entry("interface");
+    const word type
+    (
+        coupling.found(entry)
+      ? input::choice(coupling, entry, table.sortedToc())
+      : word("sharp")
+    );
     return autoPtr<immersedBody>
     (
-        cstrIter()(name, dict, directions, mesh, density, viscosity).ptr()
+        table[type](name, dict, directions, mesh, density, viscosity).ptr()
     );
 }
 

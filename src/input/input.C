@@ -9,7 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "input.H"
-#include "dimensionedScalar.H"
+#include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -38,21 +38,38 @@ static const entry* other(const dictionary& dict, const wordList& names)
     return nullptr;
 }
 
-//- Stop at a dictionary, or at dimensions that are given and wrong: there
-//  newer releases abort, which cannot be caught
-static void checkQuantity
+} // End namespace input
+} // End namespace capsule
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::ITstream& Foam::capsule::input::tokens
+(
+    const dictionary& dict,
+    const word& entry
+)
+{
+    const bool missing = !dict.found(entry);
+    if (missing || dict.isDict(entry))
+    {
+        FatalIOErrorInFunction(dict)
+            << (missing ? "missing" : "a value is wanted, not a dictionary")
+            << exit(FatalIOError);
+    }
+    return dict.lookup(entry);
+}
+
+
+void Foam::capsule::input::checkDimensions
 (
     const dictionary& dict,
     const word& entry,
     const dimensionSet& dimensions
 )
 {
-    if (dict.isDict(entry))
-    {
-        FatalIOErrorInFunction(dict)
-            << "a value is wanted, not a dictionary" << exit(FatalIOError);
-    }
-    ITstream& is = dict.lookup(entry);
+    ITstream& is = tokens(dict, entry);
     const label first = (is.size() && is[0].isWord()) ? 1 : 0;
     if
     (
@@ -65,18 +82,35 @@ static void checkQuantity
         if (given != dimensions)
         {
             FatalIOErrorInFunction(dict)
-                << "dimensions " << given << "; permitted: " << dimensions
+                << "dimensions " << given << ", not " << dimensions
                 << exit(FatalIOError);
         }
     }
 }
 
-} // End namespace input
-} // End namespace capsule
-} // End namespace Foam
 
+template<>
+Foam::label Foam::capsule::input::get<Foam::label>
+(
+    const dictionary& dict,
+    const word& entry,
+    const string& permitted
+)
+{
+    const string whole
+    (
+        permitted.empty() ? string("whole numbers") : "whole, " + permitted
+    );
+    const scalar value = get<scalar>(dict, entry, whole);
+    if (!(mag(value) < labelMax && value == std::round(value)))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << entry << " is " << value << "; permitted: "
+            << whole.c_str() << exit(FatalIOError);
+    }
+    return label(value);
+}
 
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::capsule::input::getPositive
 (
@@ -86,24 +120,40 @@ Foam::scalar Foam::capsule::input::getPositive
     const char* unit
 )
 {
-    const scalar value = guarded
+    const string permitted
     (
-        dict,
-        entry,
-        [&]()
-        {
-            checkQuantity(dict, entry, dimensions);
-            return dimensionedScalar(entry, dimensions, dict).value();
-        }
+        "positive, " + between(smallest, largest) + " [" + unit + "]"
     );
+    const scalar value =
+        getQuantity<scalar>(dict, entry, dimensions, permitted);
     if (!(value >= smallest && value <= largest))
     {
         FatalIOErrorInFunction(dict)
-            << "Entry " << entry << " is " << value
-            << "; it must be positive, " << smallest << " to " << largest
-            << " [" << unit << "]" << exit(FatalIOError);
+            << "Entry " << entry << " is " << value << "; permitted: "
+            << permitted.c_str() << exit(FatalIOError);
     }
     return value;
+}
+
+
+Foam::word Foam::capsule::input::choice
+(
+    const dictionary& dict,
+    const word& entry,
+    const wordList& permitted,
+    const char* where
+)
+{
+    OStringStream list;
+    list << flatOutput(permitted) << where;
+    const word chosen(get<word>(dict, entry, list.str()));
+    if (!permitted.found(chosen))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << entry << " is " << chosen << "; permitted: "
+            << list.str().c_str() << exit(FatalIOError);
+    }
+    return chosen;
 }
 
 
@@ -119,9 +169,10 @@ const Foam::dictionary& Foam::capsule::input::subDict
         entry,
         [&]() -> const dictionary&
         {
-            if (dict.found(entry) && !dict.isDict(entry))
+            if (!dict.isDict(entry))
             {
                 FatalIOErrorInFunction(dict)
+                    << (dict.found(entry) ? "" : "missing; ")
                     << "a dictionary is wanted" << exit(FatalIOError);
             }
             return dict.subDict(entry);

@@ -9,7 +9,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "input.H"
+#include "dimensionedType.H"
 #include "error.H"
+#include "OStringStream.H"
 #include <new>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -21,23 +23,13 @@ namespace capsule
 namespace input
 {
 
-//- Stop if a number is not between bounds; NaN is not
+//- What bounds permit
 template<class Type>
-static void checkBounds
-(
-    const dictionary& dict,
-    const word& entry,
-    const Type& value,
-    const Type& lower,
-    const Type& upper
-)
+static string between(const Type& lower, const Type& upper)
 {
-    if (!(value >= lower && value <= upper))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry " << entry << " is " << value << "; permitted: "
-            << lower << " to " << upper << exit(FatalIOError);
-    }
+    OStringStream text;
+    text << lower << " to " << upper;
+    return text.str();
 }
 
 } // End namespace input
@@ -52,7 +44,8 @@ auto Foam::capsule::input::guarded
 (
     const dictionary& dict,
     const word& entry,
-    const Reader& reader
+    const Reader& reader,
+    const string& permitted
 ) -> decltype(reader())
 {
     const bool throwing = FatalError.throwExceptions();
@@ -84,15 +77,32 @@ auto Foam::capsule::input::guarded
 
     restore();
     FatalIOErrorInFunction(dict)
-        << "Entry " << entry << ": " << message.c_str() << exit(FatalIOError);
+        << "Entry " << entry << ": " << message.c_str()
+        << (permitted.empty() ? "" : "; permitted: ") << permitted.c_str()
+        << exit(FatalIOError);
     return reader();   // never reached
 }
 
 
 template<class Type>
-Type Foam::capsule::input::get(const dictionary& dict, const word& entry)
+Type Foam::capsule::input::get
+(
+    const dictionary& dict,
+    const word& entry,
+    const string& permitted
+)
 {
-    return guarded(dict, entry, [&]() { return dict.get<Type>(entry); });
+    return guarded
+    (
+        dict,
+        entry,
+        [&]()
+        {
+            tokens(dict, entry);
+            return dict.get<Type>(entry);
+        },
+        permitted
+    );
 }
 
 
@@ -117,8 +127,15 @@ Type Foam::capsule::input::getBetween
     const Type& upper
 )
 {
-    const Type value(get<Type>(dict, entry));
-    checkBounds(dict, entry, value, lower, upper);
+    const string permitted(between(lower, upper));
+    const Type value(get<Type>(dict, entry, permitted));
+    // NaN is not between bounds
+    if (!(value >= lower && value <= upper))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << entry << " is " << value << "; permitted: "
+            << permitted.c_str() << exit(FatalIOError);
+    }
     return value;
 }
 
@@ -137,4 +154,27 @@ Type Foam::capsule::input::getBetweenOrDefault
         dict.found(entry)
       ? getBetween<Type>(dict, entry, lower, upper)
       : deflt;
+}
+
+
+template<class Type>
+Type Foam::capsule::input::getQuantity
+(
+    const dictionary& dict,
+    const word& entry,
+    const dimensionSet& dimensions,
+    const string& permitted
+)
+{
+    return guarded
+    (
+        dict,
+        entry,
+        [&]()
+        {
+            checkDimensions(dict, entry, dimensions);
+            return dimensioned<Type>(entry, dimensions, dict).value();
+        },
+        permitted
+    );
 }

@@ -62,13 +62,8 @@ void Foam::capsule::membraneSystem::readBodies()
     const dictionary& coupling = subDict("coupling");
     if (dict.size() && coupling.found("interface"))
     {
-        const word type(input::get<word>(coupling, "interface"));
-        if (type != "sharp")
-        {
-            FatalIOErrorInFunction(coupling)
-                << "Entry interface is " << type << "; permitted with bodies:"
-                << " sharp" << exit(FatalIOError);
-        }
+        // With bodies no other
+        input::choice(coupling, "interface", {"sharp"});
     }
     for (const entry& e : dict)
     {

@@ -71,13 +71,7 @@ Foam::capsule::rigidBody::rigidBody
     (
         dict, {"type", "shape", "motion", "points", "degree", "levelSet"}
     );
-    const word type(input::get<word>(dict, "type"));
-    if (type != typeName)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry type is " << type << "; permitted: " << typeName
-            << exit(FatalIOError);
-    }
+    input::choice(dict, "type", {typeName});
 
     placedShape placed(kind(), name, dict, directions, mesh);
     if (placed.shape().initialStretch() != 1)

@@ -30,14 +30,7 @@ Foam::capsule::rigidMotion::kind Foam::capsule::rigidMotion::kindOf
     const dictionary& dict
 )
 {
-    const word type(input::get<word>(dict, "type"));
-    if (!kindNames_.found(type))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry type is " << type << "; permitted: "
-            << flatOutput(kindNames_.toc()) << exit(FatalIOError);
-    }
-    return kindNames_[type];
+    return kindNames_[input::choice(dict, "type", kindNames_.toc())];
 }
 
 

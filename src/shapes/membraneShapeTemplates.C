@@ -17,17 +17,8 @@ typename Table::mapped_type Foam::capsule::membraneShape::constructor
 (
     const dictionary& dict,
     const Table& table,
-    const char* geometry
+    const char* where
 )
 {
-    const word type(input::get<word>(dict, "type"));
-    if (!table.found(type))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry type is " << type << "; permitted in " << geometry << ": "
-            << flatOutput(table.sortedToc()) << nl
-            << "    A plane mesh, a wedge and space have shapes of their own"
-            << exit(FatalIOError);
-    }
-    return table[type];
+    return table[input::choice(dict, "type", table.sortedToc(), where)];
 }

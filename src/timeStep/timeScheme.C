@@ -20,8 +20,17 @@ namespace capsule
 {
 
 //- The scheme of a term, which must be one word
-static word onlyWord(const fvMesh& mesh, const word& term)
+static word onlyWord
+(
+    const fvMesh& mesh,
+    const dictionary& schemes,
+    const word& term
+)
 {
+    if (schemes.found(term))
+    {
+        input::tokens(schemes, term);
+    }
     ITstream& is = mesh.ddtScheme(term);
     const word scheme(is);
     if (is.nRemainingTokens())
@@ -54,7 +63,10 @@ Foam::capsule::timeScheme::timeScheme
     const dictionary& schemes = mesh.schemesDict().subDict("ddtSchemes");
     const word scheme
     (
-        input::guarded(schemes, term, [&]() { return onlyWord(mesh, term); })
+        input::guarded
+        (
+            schemes, term, [&]() { return onlyWord(mesh, schemes, term); }
+        )
     );
     const scalar dt = mesh.time().deltaTValue();
 

@@ -104,16 +104,13 @@ Foam::capsule::timeStepControl::timeStepControl
     taken_(0)
 {
     const dictionary& dict = membranes.subDict("coupling");
-    const word choice(input::getOrDefault<word>(dict, "failedStep", "cut"));
-    if (choice != "cut" && choice != "stop")
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry failedStep is " << choice << "; permitted: cut, stop"
-            << exit(FatalIOError);
-    }
+    const word entry("failedStep");
+    const bool cut =
+        !dict.found(entry)
+     || input::choice(dict, entry, {"cut", "stop"}) == "cut";
     const label most =
         input::getBetweenOrDefault<label>(dict, "maxCuts", 8, 1, 30);
-    if (choice == "cut")
+    if (cut)
     {
         maxCuts_ = most;
     }

@@ -11,7 +11,6 @@ License
 #include "Helfrich.H"
 #include "familyEntries.H"
 #include "resultants.H"
-#include "dimensionedScalar.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -47,36 +46,27 @@ Foam::capsule::bendingModels::Helfrich::Helfrich(const dictionary& dict)
     {
         return;
     }
-    const token first = input::guarded
+    const string others("initial, none, or a curvature [1/m]");
+    const bool isWord = input::guarded
     (
         dict,
         entry,
-        [&]() { return token(dict.lookup(entry)); }
+        [&]() { return token(input::tokens(dict, entry)).isWord(); },
+        others
     );
-    if (first.isWord())
+    if (isWord)
     {
-        const word choice(input::get<word>(dict, entry));
-        initial_ = (choice == "initial");
-        if (!initial_ && choice != "none")
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry " << entry << " is " << choice << "; permitted:"
-                << " initial, none, or a curvature [1/m]" << exit(FatalIOError);
-        }
+        initial_ =
+            input::choice
+            (
+                dict, entry, {"initial", "none"}, " or a curvature [1/m]"
+            ) == "initial";
         return;
     }
 
     initial_ = false;
-    uniform_ = input::guarded
-    (
-        dict,
-        entry,
-        [&]()
-        {
-            return
-                dimensionedScalar(entry, dimless/dimLength, dict).value();
-        }
-    );
+    uniform_ =
+        input::getQuantity<scalar>(dict, entry, dimless/dimLength, others);
     if (!(mag(uniform_) <= input::largest))
     {
         FatalIOErrorInFunction(dict)

@@ -31,20 +31,8 @@ Foam::autoPtr<Foam::capsule::bendingModel> Foam::capsule::bendingModel::New
     const dictionary& dict
 )
 {
-    const word type(input::get<word>(dict, "type"));
+    const auto& table = *dictionaryConstructorTablePtr_;
+    const word type(input::choice(dict, "type", table.sortedToc()));
 
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
-
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            dict,
-            "bending model",
-            type,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
-
-    return autoPtr<bendingModel>(cstrIter()(dict));
+    return autoPtr<bendingModel>(table[type](dict));
 }

@@ -37,22 +37,10 @@ Foam::autoPtr<Foam::capsule::elasticLaw> Foam::capsule::elasticLaw::New
     const bool plane
 )
 {
-    const word type(input::get<word>(dict, "type"));
+    const auto& table = *dictionaryConstructorTablePtr_;
+    const word type(input::choice(dict, "type", table.sortedToc()));
 
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
-
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            dict,
-            "elastic law",
-            type,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
-
-    return autoPtr<elasticLaw>(cstrIter()(dict, plane));
+    return autoPtr<elasticLaw>(table[type](dict, plane));
 }
 
 

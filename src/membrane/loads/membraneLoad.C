@@ -31,19 +31,8 @@ Foam::autoPtr<Foam::capsule::membraneLoad> Foam::capsule::membraneLoad::New
     const fvMesh& mesh
 )
 {
-    const word type(input::get<word>(dict, "type"));
+    const auto& table = *dictionaryConstructorTablePtr_;
+    const word type(input::choice(dict, "type", table.sortedToc()));
 
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            dict,
-            "load of a membrane",
-            type,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
-
-    return autoPtr<membraneLoad>(cstrIter()(dict, mesh));
+    return autoPtr<membraneLoad>(table[type](dict, mesh));
 }

@@ -109,7 +109,7 @@ Foam::autoPtr<Foam::capsule::curveShape> Foam::capsule::curveShape::New
 {
     if (!directions.axisymmetric())
     {
-        return constructor(dict, *planeConstructorTablePtr_, "a plane mesh")
+        return constructor(dict, *planeConstructorTablePtr_, " in a plane mesh")
         (
             dict, directions
         );
@@ -117,7 +117,10 @@ Foam::autoPtr<Foam::capsule::curveShape> Foam::capsule::curveShape::New
 
     autoPtr<curveShape> shape
     (
-        constructor(dict, *wedgeConstructorTablePtr_, "a wedge")(dict, directions)
+        constructor(dict, *wedgeConstructorTablePtr_, " in a wedge")
+        (
+            dict, directions
+        )
     );
     shape->setOnAxis(dict, directions);
     return shape;

@@ -157,7 +157,7 @@ Foam::autoPtr<Foam::capsule::spatialShape> Foam::capsule::spatialShape::New
     const solvedDirections& directions
 )
 {
-    return constructor(dict, *dictionaryConstructorTablePtr_, "space")
+    return constructor(dict, *dictionaryConstructorTablePtr_, " in space")
     (
         dict, directions
     );
