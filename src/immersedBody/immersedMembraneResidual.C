@@ -35,15 +35,19 @@ void Foam::capsule::immersedMembrane::linearise
     const bool fullTangent
 )
 {
-    // Forces are per area of the step's interface
-    const nodalScalars area =
-        around_.scale()*at.areaElement().cwiseQuotient(surface().areaElement());
-    const label n = basis().nPacked();
-    nodalMatrix forceJacobian = membrane_.forceJacobian(at, fullTangent);
-    for (label i = 0; i < basis().nComponents(); ++i)
+    nodalMatrix forceJacobian =
+        around_.scale()*membrane_.forceJacobian(at, fullTangent);
+    if (&at != &surface())
     {
-        forceJacobian.middleRows(i*n, n) =
-            basis().multiplied(area, forceJacobian.middleRows(i*n, n));
+        // Forces are per area of the step's interface
+        const nodalScalars area =
+            at.areaElement().cwiseQuotient(surface().areaElement());
+        const label n = basis().nPacked();
+        for (label i = 0; i < basis().nComponents(); ++i)
+        {
+            forceJacobian.middleRows(i*n, n) =
+                basis().multiplied(area, forceJacobian.middleRows(i*n, n));
+        }
     }
     motion_->restoreVolume(at, forceJacobian);
     tangent_.linearise(forceJacobian);

@@ -257,8 +257,17 @@ Foam::capsule::nodalMatrix Foam::capsule::membraneMotion::displacements
     nodalMatrix result(U.rows(), U.cols());
     for (label i = 0; i < basis.nComponents(); ++i)
     {
-        result.middleRows(i*n, n) =
-            reduced_[min(i, label(1))]*U.middleRows(i*n, n);
+        const nodalMatrix& filter = reduced_[min(i, label(1))];
+        if (basis.spatial())
+        {
+            // Factors of the harmonics
+            result.middleRows(i*n, n) =
+                filter.diagonal().asDiagonal()*U.middleRows(i*n, n);
+        }
+        else
+        {
+            result.middleRows(i*n, n) = filter*U.middleRows(i*n, n);
+        }
     }
     if (conserveVolume_)
     {

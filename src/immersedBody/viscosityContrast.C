@@ -70,6 +70,11 @@ Foam::capsule::nodalMatrix Foam::capsule::viscosityContrast::fluidJacobian
         return 0.5*(1 + lambda)*result;
     }
     result -= (1 - lambda)*traction_;
+    if (!liquids_.scaling.inertial())
+    {
+        // W is 1
+        return result;
+    }
 
     // The normal traction is a pressure
     nodalMatrix normal = nodalMatrix::Zero(n, d*n);

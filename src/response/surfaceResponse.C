@@ -11,6 +11,7 @@ License
 #include "surfaceResponse.H"
 #include "polarRule.H"
 #include "sphericalGrid.H"
+#include "PtrList.H"
 #include "mathematicalConstants.H"
 
 using Foam::constant::mathematical::pi;
@@ -30,6 +31,42 @@ typedef Eigen::Array<scalar, Eigen::Dynamic, 3> ruleVectors;
 static const label nComponents = 6;
 static const label firstIndex[nComponents] = {0, 0, 0, 1, 1, 2};
 static const label secondIndex[nComponents] = {0, 1, 2, 1, 2, 2};
+
+//- What depends on the degree alone
+struct responseRules
+{
+    //- Nodes of products of fields, of the velocity, and a circle of these
+    const sphericalGrid products;
+    const sphericalGrid nodes;
+    const nodalMatrix analysis;
+    const nodalMatrix waves;
+    const polarRule polar;
+
+    explicit responseRules(const sphericalHarmonics& harmonics)
+    :
+        products(harmonics, 2*harmonics.degree(), 1),
+        nodes(harmonics, harmonics.degree(), 1),
+        analysis(nodes.analysis()),
+        waves
+        (
+            polarRule::waves(harmonics.degree(), 2*harmonics.degree() + 2)
+        ),
+        polar(harmonics)
+    {}
+
+    //- Those of the degree, kept for the run: they take a third of a response
+    static const responseRules& of(const sphericalHarmonics& harmonics)
+    {
+        static PtrList<responseRules> known(sphericalHarmonics::maxDegree + 1);
+        const label degree = harmonics.degree();
+        if (!known.set(degree))
+        {
+            known.set(degree, new responseRules(harmonics));
+        }
+        return known[degree];
+    }
+};
+
 
 //- Area per area of the parameter sphere and unit normal at the nodes
 static nodalScalars areaElement
@@ -65,16 +102,15 @@ struct surfaceProduct
     nodalScalars normal;
     nodalScalars normalArea;
 
-    surfaceProduct(const sphericalHarmonics& harmonics, const nodalVectors& X)
+    surfaceProduct(const sphericalGrid& grid, const nodalVectors& X)
     {
-        const sphericalGrid grid(harmonics, 2*harmonics.degree(), 1);
         nodalVectors normals;
         const nodalScalars area = areaElement(grid, X, normals);
 
         const nodalMatrix half =
             (area.cwiseProduct(grid.weights())/(4*pi)).cwiseSqrt().asDiagonal()
            *grid.values();
-        matrix.setZero(harmonics.size(), harmonics.size());
+        matrix.setZero(X.rows(), X.rows());
         matrix.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose());
         matrix.triangularView<Eigen::StrictlyUpper>() = matrix.transpose();
 
@@ -183,18 +219,16 @@ static nodalMatrix circleIntegrals
 template<class Kernel>
 static nodalMatrix response
 (
-    const sphericalHarmonics& harmonics,
-    const sphericalGrid& grid,
+    const responseRules& rules,
     const nodalVectors& X,
     const Kernel& kernel
 )
 {
-    const label n = harmonics.size();
-    const label around = 2*grid.degree() + 2;
-    const nodalMatrix waves = polarRule::waves(harmonics.degree(), around);
-    const nodalMatrix analysis = grid.analysis();
+    const sphericalGrid& grid = rules.nodes;
+    const label n = X.rows();
+    const label around = rules.waves.rows();
     const nodalVectors x = grid.values()*X;
-    polarRule rule(harmonics);
+    polarRule rule(rules.polar);
 
     // Each node of a circle in turn at phi = 0
     nodalMatrix turned(n, 3*around);
@@ -214,7 +248,7 @@ static nodalMatrix response
         };
         const nodalMatrix sums =
             circleIntegrals(rule, turned, x.middleRows(first, around), ofCircle)
-           *waves;
+           *rules.waves;
 
         // The factor of a harmonic that depends on theta is the cosine's value
         // at phi = 0
@@ -223,7 +257,7 @@ static nodalMatrix response
             const label l = sphericalHarmonics::degreeOf(i);
             const label entry = i - l*l;
             const label cosine = entry == 0 ? i : i - (entry + 1) % 2;
-            result.col(i) += analysis(cosine, first)*sums.col(entry);
+            result.col(i) += rules.analysis(cosine, first)*sums.col(entry);
         }
     }
     return result;
@@ -249,16 +283,15 @@ Foam::capsule::nodalMatrix Foam::capsule::surfaceResponse::singleLayer
         a = r2.sqrt().inverse();
         b = a/r2;
     };
-    const sphericalGrid grid(harmonics, harmonics.degree(), 0);
-    nodalMatrix blocks =
-        response(harmonics, grid, X, kernel)/(8*pi*mu);
+    const responseRules& rules = responseRules::of(harmonics);
+    nodalMatrix blocks = response(rules, X, kernel)/(8*pi*mu);
     const label n = harmonics.size();
     for (label c = 0; c < nComponents; ++c)
     {
         auto block = blocks.middleRows(c*n, n);
         block = (0.5*(block + block.transpose())).eval();
     }
-    const surfaceProduct product(harmonics, X);
+    const surfaceProduct product(rules.products, X);
     nodalMatrix S = perArea(blocks, product);
 
     // Per area of the parameter sphere the uniform pressure is M n: it is taken
@@ -278,9 +311,9 @@ Foam::capsule::nodalMatrix Foam::capsule::surfaceResponse::adjointDoubleLayer
     const nodalVectors& X
 )
 {
-    const sphericalGrid grid(harmonics, harmonics.degree(), 1);
+    const responseRules& rules = responseRules::of(harmonics);
     nodalVectors normal;
-    areaElement(grid, X, normal);
+    areaElement(rules.nodes, X, normal);
     const auto kernel =
         [&](const label i, const ruleVectors& r, ruleScalars& a, ruleScalars& b)
     {
@@ -289,9 +322,8 @@ Foam::capsule::nodalMatrix Foam::capsule::surfaceResponse::adjointDoubleLayer
         a.setZero(r.rows());
         b = rn/(r2.square()*r2.sqrt());
     };
-    const surfaceProduct product(harmonics, X);
-    nodalMatrix K =
-        perArea(response(harmonics, grid, X, kernel)*(-3/(4*pi)), product);
+    const surfaceProduct product(rules.products, X);
+    nodalMatrix K = perArea(response(rules, X, kernel)*(-3/(4*pi)), product);
 
     // K n = n/2
     const nodalScalars defect = 0.5*product.normal - K*product.normal;

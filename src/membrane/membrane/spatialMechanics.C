@@ -53,14 +53,16 @@ Foam::capsule::nodalMatrix Foam::capsule::spatialMechanics::forceJacobian
     const bool fullTangent
 ) const
 {
-    const nodalScalars perArea = surface.areaElement().cwiseInverse();
     const label n = basis_.nPacked();
+    const nodalMatrix perArea = basis_.multiplied
+    (
+        surface.areaElement().cwiseInverse(), nodalMatrix::Identity(n, n)
+    );
 
     nodalMatrix result = weak_.jacobian(surface.coefficients(), fullTangent);
     for (label i = 0; i < 3; ++i)
     {
-        result.middleRows(i*n, n) =
-            basis_.multiplied(perArea, result.middleRows(i*n, n));
+        result.middleRows(i*n, n) = perArea*result.middleRows(i*n, n);
     }
     return result;
 }
