@@ -58,7 +58,7 @@ void Foam::functionObjects::bodyForces::writeRow
 (
     const capsule::rigidBody& body,
     Ostream& os
-) const
+)
 {
     const capsule::rigidShape& shape = body.shape();
     const capsule::rigidShape::place place = body.place();
@@ -77,8 +77,31 @@ void Foam::functionObjects::bodyForces::writeRow
     writeAll(place.centre.head(shape.nTranslations()).transpose());
     writeAll(angle);
     writeAll(body.velocity());
-    writeAll(body.fluidForce());
+    const capsule::nodalScalars force = body.fluidForce();
+    writeAll(force);
     os  << endl;
+    if (force.hasNaN())
+    {
+        warnOfUnknown(body);
+    }
+}
+
+
+void Foam::functionObjects::bodyForces::warnOfUnknown
+(
+    const capsule::rigidBody& body
+)
+{
+    if (!warned_)
+    {
+        WarningInFunction
+            << "The force of the fluid on body " << body.name()
+            << " is not known at time " << mesh_.time().timeName()
+            << ", where there is no file uniform/momentumRate/" << body.name()
+            << ": no step of capsuleFoam has written this time. It is written"
+            << " as nan, here and at other such times" << endl;
+        warned_ = true;
+    }
 }
 
 
@@ -108,7 +131,8 @@ Foam::functionObjects::bodyForces::bodyForces
 )
 :
     systemFunction(name, runTime, dict),
-    lines_(false)
+    lines_(false),
+    warned_(false)
 {
     read(dict);
 }

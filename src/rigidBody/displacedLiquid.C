@@ -9,7 +9,10 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "displacedLiquid.H"
+#include "wholeFile.H"
+#include "input.H"
 #include "syncTools.H"
+#include "IOdictionary.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -39,6 +42,27 @@ static void updateCoupled(volVectorField& U)
             Up.evaluate(commsTypes::nonBlocking);
         }
     }
+}
+
+
+//- Where the rate of momentum in a body is written
+static IOobject rateFile
+(
+    const word& body,
+    const fvMesh& mesh,
+    const IOobject::readOption read
+)
+{
+    return IOobject
+    (
+        body,
+        mesh.time().timeName(),
+        "uniform/momentumRate",
+        mesh.time(),
+        read,
+        IOobject::NO_WRITE,
+        false
+    );
 }
 
 } // End namespace capsule
@@ -204,6 +228,48 @@ void Foam::capsule::displacedLiquid::setRigid
         }
     }
 }
+
+
+void Foam::capsule::displacedLiquid::writeRate
+(
+    const word& body,
+    const nodalScalars& rate
+) const
+{
+    IOdictionary dict(rateFile(body, mesh_, IOobject::NO_READ));
+    scalarField values(rate.size());
+    forAll(values, k)
+    {
+        values[k] = rate(k);
+    }
+    dict.add("rate", values);
+    writeAtomically(dict, IOstream::ASCII);
+}
+
+
+bool Foam::capsule::displacedLiquid::readRate
+(
+    const word& body,
+    nodalScalars& rate
+) const
+{
+    IOobject io(rateFile(body, mesh_, IOobject::MUST_READ));
+    if (!io.typeHeaderOk<IOdictionary>(true))
+    {
+        return false;
+    }
+    const IOdictionary dict(io);
+    const scalarField values(input::get<scalarField>(dict, "rate"));
+    if (values.size() != shape_.nModes())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry rate has " << values.size() << " numbers; permitted: "
+            << shape_.nModes() << exit(FatalIOError);
+    }
+    rate = Eigen::Map<const nodalScalars>(values.cdata(), values.size());
+    return true;
+}
+
 
 
 // ************************************************************************* //

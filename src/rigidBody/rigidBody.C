@@ -120,6 +120,10 @@ void Foam::capsule::rigidBody::start(const volVectorField& U)
     around_.setStep();
     interface_->start(unsteady(), around_.mu());
     centre_ = surface().centroid();
+    if (unsteady() && inside_->readRate(name(), taken_))
+    {
+        taken_ *= outerScale();
+    }
     if (history_.nOld() == 0)
     {
         // No velocity yet but that given, or that of the initial field
@@ -186,6 +190,16 @@ void Foam::capsule::rigidBody::setInside
 ) const
 {
     inside_->setRigid(place().centre, velocity(), U, phi);
+}
+
+
+void Foam::capsule::rigidBody::write() const
+{
+    immersedBody::write();
+    if (unsteady())
+    {
+        inside_->writeRate(name(), taken_/outerScale());
+    }
 }
 
 
