@@ -188,6 +188,25 @@ Foam::capsule::nodalScalars Foam::capsule::displacedLiquid::momentum
 }
 
 
+Foam::capsule::nodalScalars Foam::capsule::displacedLiquid::delayedRate
+(
+    const nodalScalars& momentum,
+    const nodalScalars& V,
+    const nodalScalars& flux
+) const
+{
+    nodalScalars result = nodalScalars::Zero(momentum.size());
+    if (shape_.nRotations() == 3)
+    {
+        const Eigen::Matrix<scalar, 3, 1> delayed =
+            (shape_.volumes(interface_.surface())*V - momentum).tail(3);
+        const Eigen::Matrix<scalar, 3, 1> turning = flux.tail(3);
+        result.tail(3) = 0.5*turning.cross(delayed);
+    }
+    return result;
+}
+
+
 void Foam::capsule::displacedLiquid::setRigid
 (
     const solvedVector& centre,

@@ -109,9 +109,7 @@ Foam::capsule::rigidBody::rigidBody
 
 Foam::capsule::nodalScalars Foam::capsule::rigidBody::velocity() const
 {
-    const interfaceState& now = history_.now();
-
-    return shape_->velocityOf(now.x, placeOf(now).centre, now.velocity);
+    return velocityOf(history_.now());
 }
 
 
@@ -147,12 +145,12 @@ Foam::capsule::nodalVectors Foam::capsule::rigidBody::predicted() const
     const scalar dt = mesh_.time().deltaTValue();
 
     // By Adams and Bashforth: the body turns while it is led on
-    nodalScalars V = velocity();
+    nodalScalars V = velocityOf(history_.now());
     if (history_.nOld() > 0)
     {
-        const interfaceState& old = history_.old(0);
-        V += 0.5*dt/mesh_.time().deltaT0Value()
-           *(V - shape_->velocityOf(old.x, placeOf(old).centre, old.velocity));
+        V +=
+            0.5*dt/mesh_.time().deltaT0Value()
+           *(V - velocityOf(history_.old(0)));
     }
     return shape_->nodes(shape_->moved(place(), dt*V));
 }
@@ -271,23 +269,27 @@ void Foam::capsule::rigidBody::correct
     (
         history_.now().force - interface_->resolved(history_.now().force)
     );
-    if (unsteady())
-    {
-        taken_ =
-            around_.rho()
-           *(flowScheme().c*inside_->momentum(U) - oldMomentum());
-    }
     fluidResponse_.resize(nResponse());
     fluidResponse_.head(2*n)
         << basis_->pack(fluid) + slip_.velocity()*unresolved,
         unknowns();
+    const nodalScalars V = carried(fluidResponse_.head(n));
+    if (unsteady())
+    {
+        const nodalScalars momentum = inside_->momentum(U);
+        taken_ =
+            around_.rho()
+           *(
+                flowScheme().c*momentum - oldMomentum()
+              + inside_->delayedRate(momentum, V, fluxVelocity())
+            );
+    }
     if (counted())
     {
         fluidResponse_.tail(taken_.size()) = taken_;
     }
 
     interfaceState& now = history_.now();
-    const nodalScalars V = carried(fluidResponse_.head(n));
     const rigidShape::place to = moved(V);
     now.x = shape_->nodes(to);
     now.velocity = shape_->velocity(now.x, to.centre, V);

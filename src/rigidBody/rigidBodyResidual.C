@@ -12,14 +12,22 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::capsule::nodalScalars Foam::capsule::rigidBody::velocityOf
+(
+    const interfaceState& s
+) const
+{
+    return shape_->velocityOf(s.x, placeOf(s).centre, s.velocity);
+}
+
+
 Foam::capsule::nodalScalars Foam::capsule::rigidBody::momentum
 (
     const interfaceState& s
 ) const
 {
     return
-        shape_->volumes(closedSurface(*basis_, s.x))
-       *shape_->velocityOf(s.x, placeOf(s).centre, s.velocity);
+        shape_->volumes(closedSurface(*basis_, s.x))*velocityOf(s);
 }
 
 
@@ -34,6 +42,20 @@ Foam::capsule::nodalScalars Foam::capsule::rigidBody::oldMomentum() const
     if (scheme.c00 != 0)
     {
         result -= scheme.c00*momentum(history_.old(1));
+    }
+    return result;
+}
+
+
+Foam::capsule::nodalScalars Foam::capsule::rigidBody::fluxVelocity() const
+{
+    nodalScalars result = velocityOf(history_.old(0));
+    if (history_.nOld() > 1)
+    {
+        const Time& time = mesh_.time();
+        result +=
+            time.deltaTValue()/time.deltaT0Value()
+           *(result - velocityOf(history_.old(1)));
     }
     return result;
 }
