@@ -28,9 +28,10 @@ Foam::capsule::contact::contact
 :
     directions_(directions),
     boundary_(meshBoundary::New(mesh)),
-    law_(dict)
+    law_(dict),
+    folds_(input::getOrDefault<bool>(dict, "folds", false))
 {
-    input::permit(dict, {"type", "range", "strength"});
+    input::permit(dict, {"type", "range", "strength", "folds"});
 
     const scalar width = gMin(directions.widths(mesh)());
     if (law_.range() < leastRange_*width)

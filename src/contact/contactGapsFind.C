@@ -10,6 +10,11 @@ License
 
 #include "contactGaps.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::scalar Foam::capsule::contactGaps::leastFacing_ = -0.5;
+
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -57,6 +62,38 @@ static nodalVectors symmetricWeights
     return weights;
 }
 
+//- The number of the nearest of samples closer to a point x than a reach that
+//  face its normal n, of those permitted; -1 without
+template<class Permitted>
+static label nearestFacing
+(
+    const nodalVectors& samples,
+    const nodalVectors& normals,
+    const solvedVector& x,
+    const solvedVector& n,
+    const scalar leastFacing,
+    const scalar reach,
+    const Permitted& permitted
+)
+{
+    scalar least = sqr(reach);
+    label nearest = -1;
+    for (label j = 0; j < samples.rows(); ++j)
+    {
+        const scalar square = (samples.row(j) - x).squaredNorm();
+        if
+        (
+            square < least && normals.row(j).dot(n) < leastFacing
+         && permitted(samples.row(j))
+        )
+        {
+            least = square;
+            nearest = j;
+        }
+    }
+    return nearest;
+}
+
 } // End namespace capsule
 } // End namespace Foam
 
@@ -68,12 +105,11 @@ void Foam::capsule::contactGaps::append
     const PtrList<closedSurface>& surfaces,
     const label part,
     const label other,
-    const UList<label>& nodes,
-    const nodalVectors& feet,
-    const UList<surfaceParameter>& parameters
+    const feet& found
 )
 {
-    if (nodes.empty())
+    const label m = found.nodes.size();
+    if (m == 0)
     {
         return;
     }
@@ -81,11 +117,10 @@ void Foam::capsule::contactGaps::append
     const surfaceBasis& basis = surface.basis();
     const nodalScalars areas = basis.weights().cwiseProduct(surface.areaElement());
     const scalar rings = scalar(basis.size())/basis.nCounted();
-    const label m = nodes.size();
 
     block b;
     b.part = part;
-    b.other = other;
+    b.other = (other == part ? -1 : other);
     b.gap.resize(m);
     b.area.resize(m);
     b.start = size_;
@@ -94,18 +129,19 @@ void Foam::capsule::contactGaps::append
     if (other >= 0)
     {
         const surfaceBasis& otherBasis = surfaces[other].basis();
-        atFeet = otherBasis.functions(parameters)*otherBasis.analysis();
+        atFeet = otherBasis.functions(found.parameters)*otherBasis.analysis();
         b.byOther.resize(m, otherBasis.nComponents()*otherBasis.nPacked());
     }
     for (label i = 0; i < m; ++i)
     {
-        const solvedVector d = surface.nodes().row(nodes[i]) - feet.row(i);
+        const label node = found.nodes[i];
+        const solvedVector d = surface.nodes().row(node) - found.x.row(i);
         b.gap(i) = d.norm();
-        b.area(i) = (other >= 0 ? 0.5 : 1)*rings*areas(nodes[i]);
+        b.area(i) = found.shares[i]*rings*areas(node);
 
         const solvedVector normal = d/max(b.gap(i), VSMALL);
         nodalVectors own = nodalVectors::Zero(basis.size(), d.size());
-        own.row(nodes[i]) = normal;
+        own.row(node) = normal;
         b.byPoints.row(i) =
             basis.packedWeights(symmetricWeights(basis, own)).transpose();
         if (other >= 0)
@@ -116,6 +152,11 @@ void Foam::capsule::contactGaps::append
                 otherBasis.packedWeights(symmetricWeights(otherBasis, foot))
                .transpose();
         }
+    }
+    if (other == part)
+    {
+        b.byPoints += b.byOther;
+        b.byOther.resize(0, 0);
     }
     size_ += m;
     blocks_.append(b);
@@ -142,9 +183,7 @@ void Foam::capsule::contactGaps::findOther
     const nodalVectors samples = facing.sampled().rowwise() + shift;
     const scalar near = sqr(reach + facing.sampleSpacing());
 
-    DynamicList<label> nodes;
-    DynamicList<surfaceParameter> found;
-    nodalVectors feet(surface.size(), surface.nComponents());
+    feet found(surface);
     for (label i = 0; i < surface.basis().nCounted(); ++i)
     {
         const solvedVector x = surface.nodes().row(i);
@@ -159,12 +198,66 @@ void Foam::capsule::contactGaps::findOther
         const solvedVector foot = facing.foot(x - shift, at).x + shift;
         if ((x - foot).norm() < reach)
         {
-            feet.row(nodes.size()) = foot;
-            nodes.append(i);
-            found.append(at);
+            found.append(i, foot, at, 0.5);
         }
     }
-    append(surfaces, part, other, nodes, feet, found);
+    append(surfaces, part, other, found);
+}
+
+
+void Foam::capsule::contactGaps::findFolds
+(
+    const PtrList<closedSurface>& surfaces,
+    const solvedDirections& directions,
+    const label part,
+    const scalar reach
+)
+{
+    const closedSurface& surface = surfaces[part];
+    const surfaceBasis& basis = surface.basis();
+    const List<surfaceParameter> parameters(basis.samples());
+    nodalVectors samples(parameters.size(), surface.nComponents());
+    nodalVectors normals(parameters.size(), surface.nComponents());
+    forAll(parameters, j)
+    {
+        const surfacePoint p = surface.expand(parameters[j]);
+        samples.row(j) = p.x;
+        normals.row(j) = closedSurface::normal(p).normalized();
+    }
+    // About an axis not across it
+    const auto permitted = [&](const solvedVector& x)
+    {
+        return directions.radius(x) > 0;
+    };
+
+    const scalar near = reach + surface.sampleSpacing();
+    feet found(surface);
+    for (label i = 0; i < basis.nCounted(); ++i)
+    {
+        const solvedVector x = surface.nodes().row(i);
+        const solvedVector n = surface.normal().row(i);
+        const label nearest = nearestFacing
+        (
+            samples, normals, x, n, leastFacing_, near, permitted
+        );
+        if (nearest < 0)
+        {
+            continue;
+        }
+        surfaceParameter at = parameters[nearest];
+        const surfacePoint foot = surface.foot(x, at);
+        const solvedVector d = foot.x - x;
+        const scalar facing = closedSurface::normal(foot).normalized().dot(n);
+        if
+        (
+            d.norm() < reach && facing < leastFacing_ && permitted(foot.x)
+         && sqr(d.dot(n)) > 0.5*d.squaredNorm()
+        )
+        {
+            found.append(i, foot.x, at, min(-facing + leastFacing_, 0.5));
+        }
+    }
+    append(surfaces, part, part, found);
 }
 
 
@@ -177,13 +270,13 @@ void Foam::capsule::contactGaps::findWalls
 )
 {
     const closedSurface& surface = surfaces[part];
-    const label n = surface.basis().nCounted();
-    nodalVectors feet(n, surface.nComponents());
-    const labelList nodes
+    feet found(surface);
+    found.nodes = boundary.nearestOnWalls
     (
-        boundary.nearestOnWalls(surface.nodes().topRows(n), reach, feet)
+        surface.nodes().topRows(surface.basis().nCounted()), reach, found.x
     );
-    append(surfaces, part, -1, nodes, feet, List<surfaceParameter>());
+    found.shares = scalarList(found.nodes.size(), scalar(1));
+    append(surfaces, part, -1, found);
 }
 
 
@@ -194,7 +287,8 @@ Foam::capsule::contactGaps::contactGaps
     const PtrList<closedSurface>& surfaces,
     const solvedDirections& directions,
     const meshBoundary& boundary,
-    const scalar reach
+    const scalar reach,
+    const bool folds
 )
 :
     points_(surfaces.size()),
@@ -222,6 +316,10 @@ Foam::capsule::contactGaps::contactGaps
             {
                 findOther(surfaces, i, j, image - there, reach);
             }
+        }
+        if (folds)
+        {
+            findFolds(surfaces, directions, i, reach);
         }
         findWalls(surfaces, i, boundary, reach);
     }

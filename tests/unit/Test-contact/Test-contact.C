@@ -253,6 +253,56 @@ static void testWall(const contact& law, const closedSurface& surface)
 }
 
 
+//- An ellipsoid with a waist, whose sides are 0.16 apart in the middle; about
+//  an axis with a groove that wide
+static nodalVectors waisted(const surfaceBasis& basis)
+{
+    nodalVectors nodes(basis.size(), basis.nComponents());
+    for (label i = 0; i < basis.size(); ++i)
+    {
+        solvedVector d = directionOf(basis, i);
+        const scalar side = basis.axisymmetric() ? d(1) : d(0);
+        const scalar narrow = 0.08 + 0.6*sqr(side);
+        d(0) *= basis.axisymmetric() ? narrow : 1;
+        d(1) *= basis.axisymmetric() ? 1 : narrow;
+        nodes.row(i) = d;
+        nodes(i, 0) += 5;
+        nodes(i, 1) += axisAt;
+    }
+    return nodes;
+}
+
+
+//- A fold: its forces are in balance, and push its sides apart
+static void testFold(const contact& law, const PtrList<closedSurface>& fold)
+{
+    const closedSurface& surface = fold[0];
+    const nodalVectors forces = law.forces(fold)[0];
+    const scalar size =
+        surface.integral(nodalScalars(forces.rowwise().norm()));
+    check("resultant", surface.resultant(forces).norm()/size, 1e-12);
+    for (label k = 0; k < surface.nRotations(); ++k)
+    {
+        check
+        (
+            "moment",
+            surface.integral
+            (
+                nodalScalars(dot(turned(surface.nodes(), k), forces))
+            )/size,
+            1e-6
+        );
+    }
+    atLeast
+    (
+        "pressure in the middle, over that of the law",
+        dot(forces, surface.normal()).maxCoeff()
+       /repulsion(range, strength).pressure(0.16),
+        0.8
+    );
+}
+
+
 int main(int argc, char* argv[])
 {
     #include "setRootCase.H"
@@ -302,6 +352,30 @@ int main(int argc, char* argv[])
 
     Info<< "Wall" << endl;
     testWall(*law, closedSurface(*first, ellipsoid(*first, 5, 0.8, 1.85)));
+
+    Info<< "Fold" << endl;
+    const autoPtr<contact> folding
+    (
+        contact::New
+        (
+            dictOf
+            (
+                "contact { type repulsion; range 0.3; strength 7; folds yes; }"
+            ),
+            mesh,
+            directions
+        )
+    );
+    PtrList<closedSurface> single(1);
+    single.set(0, new closedSurface(*first, waisted(*first)));
+    check
+    (
+        "no forces of folds unless asked for",
+        law->forces(single)[0].norm(),
+        0
+    );
+    testGradient(*folding, single);
+    testFold(*folding, single);
 
     return verdict();
 }
