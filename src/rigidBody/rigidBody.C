@@ -120,7 +120,7 @@ void Foam::capsule::rigidBody::start(const volVectorField& U)
     centre_ = surface().centroid();
     if (unsteady() && inside_->readRate(name(), taken_))
     {
-        taken_ *= outerScale();
+        taken_ *= around_.scale();
     }
     if (history_.nOld() == 0)
     {
@@ -196,7 +196,7 @@ void Foam::capsule::rigidBody::write() const
     immersedBody::write();
     if (unsteady())
     {
-        inside_->writeRate(name(), taken_/outerScale());
+        inside_->writeRate(name(), taken_/around_.scale());
     }
 }
 
