@@ -102,7 +102,9 @@ Foam::label Foam::capsule::input::get<Foam::label>
         permitted.empty() ? string("whole numbers") : "whole, " + permitted
     );
     const scalar value = get<scalar>(dict, entry, whole);
-    if (!(mag(value) < labelMax && value == std::round(value)))
+    // What is below the range of a scalar is read as 0, no whole number
+    const bool vanished = value == 0 && !tokens(dict, entry)[0].isLabel();
+    if (vanished || !(mag(value) < labelMax && value == std::round(value)))
     {
         FatalIOErrorInFunction(dict)
             << "Entry " << entry << " is " << value << "; permitted: "
