@@ -146,14 +146,18 @@ Foam::word Foam::capsule::input::choice
     const char* where
 )
 {
-    OStringStream list;
-    list << flatOutput(permitted) << where;
-    const word chosen(get<word>(dict, entry, list.str()));
+    string list;
+    for (const word& name : permitted)
+    {
+        list += (list.empty() ? "" : ", ") + name;
+    }
+    list += where;
+    const word chosen(get<word>(dict, entry, list));
     if (!permitted.found(chosen))
     {
         FatalIOErrorInFunction(dict)
             << "Entry " << entry << " is " << chosen << "; permitted: "
-            << list.str().c_str() << exit(FatalIOError);
+            << list.c_str() << exit(FatalIOError);
     }
     return chosen;
 }

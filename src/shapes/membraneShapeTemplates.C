@@ -20,5 +20,10 @@ typename Table::mapped_type Foam::capsule::membraneShape::constructor
     const char* where
 )
 {
-    return table[input::choice(dict, "type", table.sortedToc(), where)];
+    const string others
+    (
+        string(where) + " (a plane mesh, a wedge and space have their own)"
+    );
+    return
+        table[input::choice(dict, "type", table.sortedToc(), others.c_str())];
 }
