@@ -62,8 +62,7 @@ void Foam::capsule::membraneSystem::readBodies()
     const dictionary& coupling = subDict("coupling");
     if (dict.size() && coupling.found("interface"))
     {
-        // With bodies no other
-        input::choice(coupling, "interface", {"sharp"});
+        input::choice(coupling, "interface", {"sharp"}, " with bodies");
     }
     for (const entry& e : dict)
     {
