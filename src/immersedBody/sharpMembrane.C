@@ -24,35 +24,6 @@ namespace capsule
 }
 }
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace capsule
-{
-
-//- Velocity of an interface without forces between two liquids in a Stokes flow
-//  that has the velocity U there without it. With A the derivative of the
-//  viscosityContrast by f that is A* U' = U, A* the adjoint by the area J of the
-//  parameters: the double-layer equation for the velocity
-static nodalVectors contrastVelocity
-(
-    const closedSurface& surface,
-    const nodalMatrix& fluidJacobian,
-    const nodalVectors& U
-)
-{
-    const nodalScalars J = surface.areaElement();
-    const nodalScalars perParameters = surface.basis().pack(scaled(J, U));
-    const nodalScalars result =
-        fluidJacobian.transpose().partialPivLu().solve(perParameters);
-    return scaled(J.cwiseInverse(), surface.basis().unpack(result));
-}
-
-} // End namespace capsule
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::capsule::sharpMembrane::setLiquids()
@@ -203,15 +174,6 @@ void Foam::capsule::sharpMembrane::start(const volVectorField& U)
         }
         // No velocity yet but that of the initial field
         now.velocity = fit()(U, nullptr).value;
-        if (liquids_.contrast() && !unsteady())
-        {
-            // In Stokes flow the liquids answer at once, and a thick liquid
-            // led by the initial field would keep what that deforms it
-            now.velocity = contrastVelocity
-            (
-                surface(), contrast_.fluidJacobian(true), now.velocity
-            );
-        }
     }
 }
 
