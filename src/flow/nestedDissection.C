@@ -73,6 +73,61 @@ Foam::label Foam::capsule::nestedDissection::halve(UList<label>& cells) const
 }
 
 
+Foam::label Foam::capsule::nestedDissection::separate
+(
+    UList<label>& upper,
+    const label below
+)
+{
+    // Cells at the lower half last
+    const label nBehind =
+        std::partition
+        (
+            upper.begin(),
+            upper.end(),
+            [&](const label celli)
+            {
+                const labelList& beside = neighbours_[celli];
+                return std::none_of
+                (
+                    beside.begin(),
+                    beside.end(),
+                    [&](const label other) { return half_[other] == below; }
+                );
+            }
+        )
+      - upper.begin();
+    for (label i = nBehind; i < upper.size(); ++i)
+    {
+        half_[upper[i]] = 0;
+    }
+    return nBehind;
+}
+
+
+Foam::DynamicList<Foam::label>
+Foam::capsule::nestedDissection::pressuresBehind
+(
+    const UList<label>& separator,
+    const label above
+)
+{
+    DynamicList<label> result;
+    for (const label celli : separator)
+    {
+        for (const label other : neighbours_[celli])
+        {
+            if (half_[other] == above && !separates_[other])
+            {
+                separates_[other] = true;
+                result.append(3*other + 2);
+            }
+        }
+    }
+    return result;
+}
+
+
 void Foam::capsule::nestedDissection::dissect(UList<label>& cells)
 {
     if (cells.size() <= smallest_)
@@ -98,42 +153,10 @@ void Foam::capsule::nestedDissection::dissect(UList<label>& cells)
         half_[celli] = above;
     }
 
-    // Cells of the upper half at the lower one, last in it
-    const label nBehind =
-        std::partition
-        (
-            upper.begin(),
-            upper.end(),
-            [&](const label celli)
-            {
-                const labelList& beside = neighbours_[celli];
-                return std::none_of
-                (
-                    beside.begin(),
-                    beside.end(),
-                    [&](const label other) { return half_[other] == below; }
-                );
-            }
-        )
-      - upper.begin();
+    const label nBehind = separate(upper, below);
     SubList<label> behind(upper, nBehind);
     SubList<label> separator(upper, upper.size() - nBehind, nBehind);
-    for (const label celli : separator)
-    {
-        half_[celli] = 0;
-    }
-    DynamicList<label> pressures;
-    for (const label celli : separator)
-    {
-        for (const label other : neighbours_[celli])
-        {
-            if (half_[other] == above && !separates_[other])
-            {
-                separates_[other] = true;
-                pressures.append(3*other + 2);
-            }
-        }
-    }
+    const DynamicList<label> pressures(pressuresBehind(separator, above));
 
     dissect(lower);
     dissect(behind);
