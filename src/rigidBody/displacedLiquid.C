@@ -195,14 +195,11 @@ Foam::capsule::nodalScalars Foam::capsule::displacedLiquid::delayedRate
     const nodalScalars& flux
 ) const
 {
+    const Eigen::Matrix<scalar, 3, 1> delayed =
+        (shape_.volumes(interface_.surface())*V - momentum).tail(3);
+    const Eigen::Matrix<scalar, 3, 1> turning = flux.tail(3);
     nodalScalars result = nodalScalars::Zero(momentum.size());
-    if (shape_.nRotations() == 3)
-    {
-        const Eigen::Matrix<scalar, 3, 1> delayed =
-            (shape_.volumes(interface_.surface())*V - momentum).tail(3);
-        const Eigen::Matrix<scalar, 3, 1> turning = flux.tail(3);
-        result.tail(3) = 0.5*turning.cross(delayed);
-    }
+    result.tail(3) = 0.5*turning.cross(delayed);
     return result;
 }
 
@@ -288,7 +285,6 @@ bool Foam::capsule::displacedLiquid::readRate
     rate = Eigen::Map<const nodalScalars>(values.cdata(), values.size());
     return true;
 }
-
 
 
 // ************************************************************************* //

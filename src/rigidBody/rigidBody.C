@@ -277,12 +277,13 @@ void Foam::capsule::rigidBody::correct
     if (unsteady())
     {
         const nodalScalars momentum = inside_->momentum(U);
-        taken_ =
-            around_.rho()
-           *(
-                flowScheme().c*momentum - oldMomentum()
-              + inside_->delayedRate(momentum, V, fluxVelocity())
-            );
+        taken_ = around_.rho()*(flowScheme().c*momentum - oldMomentum());
+        if (directions_.spatial())
+        {
+            taken_ +=
+                around_.rho()
+               *inside_->delayedRate(momentum, V, fluxVelocity());
+        }
     }
     if (counted())
     {
